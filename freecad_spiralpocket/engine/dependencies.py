@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Says in one sentence which library is missing or too old, before anything else fails.
+
+FreeCAD's own packages do not always carry shapely and scipy (Debian, Flatpak),
+and Debian 12 has a shapely that is too old.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from .errors import SetupError
+
+_HINT = (
+    "Install it with FreeCAD's Addon Manager (it is a dependency of Spiral Pocket) or with pip "
+    "into the Python that FreeCAD uses, then start FreeCAD again."
+)
+
+
+def require_libraries() -> None:
+    """Check that numpy, scipy and shapely 2 can be imported.
+
+    Raises
+    ------
+    SetupError
+        If one is missing or too old; the message names it.
+    """
+    for name in ("numpy", "scipy", "shapely"):
+        try:
+            module = import_module(name)
+        except ImportError as error:
+            raise SetupError(
+                f"Spiral Pocket needs the Python library {name}, which this FreeCAD lacks.", _HINT
+            ) from error
+        # versions cannot be parsed: Debian's build of shapely reports "0+unknown"
+        if name == "shapely" and not hasattr(module, "get_coordinates"):
+            raise SetupError(
+                f"Spiral Pocket needs shapely 2, this FreeCAD has {module.__version__}.", _HINT
+            )

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Everything that can go wrong, in the machinist's words.
+
+Each error carries three things: what is the matter (the message), a way out
+(`hint`, one sentence) and, where there is one, the place on the part (`place`).
+A wrong call from Python, such as an array of the wrong shape, is a plain
+`ValueError` or `TypeError` instead: it is the programmer's, not the machinist's.
+
+This module imports nothing, so that it can report that a library is missing.
+"""
+
+from __future__ import annotations
+
+
+class SpiralPocketError(Exception):
+    """A pocket cannot be cut as asked.
+
+    Parameters
+    ----------
+    message : str
+        What is the matter, a sentence or two.
+    hint : str, optional
+        What the machinist can do about it, one sentence.
+    place : tuple of float, optional
+        Where on the part, (x, y) [mm].
+    """
+
+    def __init__(
+        self, message: str, hint: str = "", place: tuple[float, float] | None = None
+    ) -> None:
+        super().__init__(message)
+        self.message = message
+        self.hint = hint
+        self.place = None if place is None else (float(place[0]), float(place[1]))
+
+    def __str__(self) -> str:
+        """Return message and hint as one text."""
+        return f"{self.message} {self.hint}".strip()
+
+
+class RequestError(SpiralPocketError):
+    """A value that was asked for makes no sense: a step-over of 0, depths upside down."""
+
+
+class SelectionError(SpiralPocketError):
+    """What was selected is not the floor of a pocket."""
+
+
+class GeometryError(SpiralPocketError):
+    """The pocket's outline is broken: open, crossing itself, without area."""
+
+
+class CutterDoesNotFitError(SpiralPocketError):
+    """The cutter does not go into the pocket anywhere."""
+
+
+class NotYetError(SpiralPocketError):
+    """A sound pocket that the chosen strategy cannot cut (yet)."""
+
+
+class ProofError(SpiralPocketError):
+    """The finished path failed its proof and is therefore not handed out."""
+
+
+class SetupError(SpiralPocketError):
+    """Something around the operation is missing: a library, a job, a tool controller."""
+
+
+class CancelledError(SpiralPocketError):
+    """The user pressed Stop."""

@@ -1,0 +1,278 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The records that flow through the engine, from the request to the report.
+
+`PocketRequest` goes in; a strategy turns each cutter-center region into a
+`FloorPath` in the plane; the levels turn that into a `Toolpath` (toolpath.py);
+the proof measures it; `Plan` with its `Report` comes out. Records are frozen
+and hold numpy arrays and shapely polygons; nobody changes one in place.
+
+Units are mm, s and rad; feeds are mm/s as in FreeCAD. The spindle turns
+clockwise (M3). Climb: uncut stock on the right of the direction of travel,
+so an outward spiral runs counter-clockwise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from shapely import MultiPolygon, Polygon
+
+    from .toolpath import Toolpath
+
+Floats = NDArray[np.float64]
+
+#: Called with the finished fraction [0, 1] and the name of the stage; returns True to cancel.
+Progress = Callable[[float, str], bool]
+
+
+class CutMode(Enum):
+    """On which side of the cutter the stock stands."""
+
+    CLIMB = "Climb"
+    CONVENTIONAL = "Conventional"
+
+
+class Strategy(Enum):
+    """How the laps are made; the value is what the machinist reads."""
+
+    LINEAR_MORPH = "Linear Morph"
+
+
+@dataclass(frozen=True, slots=True)
+class Heights:
+    """Heights and depths of the operation, Z [mm], with FreeCAD's meanings.
+
+    Attributes
+    ----------
+    clearance, safe : float
+        Rapids across the part run at `clearance`, down to `safe` above the cut.
+    start_depth, final_depth : float
+        Top and floor of the pocket, ``final_depth < start_depth <= safe``.
+    step_down : float
+        Largest axial depth of a level, positive.
+    finish_depth : float
+        Axial depth of one last thin level, 0 for none.
+    """
+
+    clearance: float
+    safe: float
+    start_depth: float
+    final_depth: float
+    step_down: float
+    finish_depth: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Feeds:
+    """Feeds and rapids of the tool controller [mm/s], positive."""
+
+    horizontal: float
+    vertical: float
+    horizontal_rapid: float
+    vertical_rapid: float
+
+
+@dataclass(frozen=True, slots=True)
+class Cutting:
+    """How the cutter is to be loaded.
+
+    Attributes
+    ----------
+    stepover : float
+        Largest radial depth of cut of a straight cut [mm], in ``(0, D]``.
+    cut_mode : CutMode
+    stock_to_leave, floor_stock : float
+        What stays on walls and floor [mm]; negative cuts into them.
+    finishing_lap : bool
+        Close with a lap along the whole wall.
+    """
+
+    stepover: float
+    cut_mode: CutMode = CutMode.CLIMB
+    stock_to_leave: float = 0.0
+    floor_stock: float = 0.0
+    finishing_lap: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """How the cutter goes down.
+
+    Attributes
+    ----------
+    helix_angle : float
+        Ramp angle of the helix [rad], in ``(0, pi/2)``.
+    max_diameter : float
+        Limit of the helix's diameter over all [mm], 0 for none: as wide as fits.
+    """
+
+    helix_angle: float = np.radians(5.0)
+    max_diameter: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class PocketRequest:
+    """One pocket, one cutter, one way to cut it.
+
+    Attributes
+    ----------
+    pocket : shapely.Polygon
+        The floor as it shall be, islands as holes, XY [mm].
+    tool_diameter : float
+        Cutter diameter D [mm].
+    heights, feeds, cutting, entry
+        See their records.
+    strategy : Strategy
+    tolerance : float
+        Largest deviation of the emitted path from the exact curve [mm].
+    """
+
+    pocket: Polygon
+    tool_diameter: float
+    heights: Heights
+    feeds: Feeds
+    cutting: Cutting
+    entry: Entry = Entry()
+    strategy: Strategy = Strategy.LINEAR_MORPH
+    tolerance: float = 0.01
+
+    @property
+    def cutter_radius(self) -> float:
+        """Return R [mm]."""
+        return self.tool_diameter / 2
+
+    @property
+    def engagement_limit(self) -> float:
+        """Return the engagement angle of a straight cut at the step-over [rad]."""
+        return float(np.arccos(max(-1.0, 1.0 - self.cutting.stepover / self.cutter_radius)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SplineCurve:
+    """A clamped B-spline in the plane.
+
+    Attributes
+    ----------
+    degree : int
+    knots : ndarray of shape (n + degree + 1,)
+        Non-decreasing, in [0, 1].
+    control_points : ndarray of shape (n, 2)
+        [mm]
+    """
+
+    degree: int
+    knots: Floats
+    control_points: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Helix:
+    """A helical entry that ends with one flat turn.
+
+    Attributes
+    ----------
+    center : ndarray of shape (2,)
+        [mm]
+    radius : float
+        Of the cutter center's circle [mm].
+    start_angle : float
+        Where it begins and ends, [rad] from the X axis.
+    """
+
+    center: Floats
+    radius: float
+    start_angle: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FloorPath:
+    """What one cutter-center region needs at any level, in the plane, climb.
+
+    It runs counter-clockwise outwards; conventional milling mirrors it.
+
+    Attributes
+    ----------
+    entry : Helix
+    spiral : ndarray of shape (n, 2)
+        From the end of the entry to the wall [mm].
+    closing_lap : ndarray of shape (m, 2)
+        Along the wall, from the end of the spiral; (0, 2) for none.
+    curve : SplineCurve or None
+        The exact curve behind `spiral`, where the strategy has one.
+    """
+
+    entry: Helix
+    spiral: Floats
+    closing_lap: Floats
+    curve: SplineCurve | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something the machinist should know about a path that was made all the same."""
+
+    message: str
+    hint: str = ""
+    place: tuple[float, float] | None = None
+
+    def __str__(self) -> str:
+        """Return message and hint as one text."""
+        return f"{self.message} {self.hint}".strip()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Report:
+    """What was measured on the finished toolpath, independent of how it was made.
+
+    Attributes
+    ----------
+    time : float
+        [s], every move at its own feed.
+    cut_length : float
+        Of all moves at cutting feed below the start depth [mm].
+    engagement_limit, engagement_max, engagement_mean : float
+        Engagement angle [rad]: what was asked; largest and mean (over the length) at the floors
+        after the entry.
+    engagement_points : ndarray of shape (k, 3)
+        Where the engagement was measured [mm], in the order of travel.
+    engagement_angles : ndarray of shape (k,)
+        [rad]
+    uncut : shapely.MultiPolygon
+        What the cutter could reach and left standing.
+    gouge : float
+        How far the cutter's edge passes the wall (less the stock to leave) [mm], 0 or more.
+    notices : tuple of Notice
+    """
+
+    time: float
+    cut_length: float
+    engagement_limit: float
+    engagement_max: float
+    engagement_mean: float
+    engagement_points: Floats
+    engagement_angles: Floats
+    uncut: MultiPolygon
+    gouge: float
+    notices: tuple[Notice, ...] = ()
+
+    @property
+    def uncut_area(self) -> float:
+        """Return the area left standing [mm2]."""
+        return float(self.uncut.area)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Plan:
+    """The answer to a request: the toolpath and what is known about it."""
+
+    request: PocketRequest
+    toolpath: Toolpath
+    report: Report
+    curves: tuple[SplineCurve, ...] = field(default=())
