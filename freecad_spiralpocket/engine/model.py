@@ -91,7 +91,7 @@ class Cutting:
     stock_to_leave, floor_stock : float
         What stays on walls and floor [mm]; negative cuts into them.
     finishing_lap : bool
-        Close with a lap along the whole wall.
+        Close with a lap along the exact wall; without it the last lap rounds the corners off.
     """
 
     stepover: float
@@ -110,7 +110,8 @@ class Entry:
     helix_angle : float
         Ramp angle of the helix [rad], in ``(0, pi/2)``.
     max_diameter : float
-        Limit of the helix's diameter over all [mm], 0 for none: as wide as fits.
+        Limit of the diameter of the cutter center's circle [mm]; 0 or more than the cutter's
+        diameter: as wide as fits without leaving a post.
     """
 
     helix_angle: float = np.radians(5.0)

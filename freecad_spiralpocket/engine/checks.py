@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Checks of a request at the engine's door; nothing behind it checks again.
+
+What a machinist can get wrong becomes an error in the machinist's words.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from shapely import Polygon, get_coordinates, is_valid_reason
+
+from .errors import GeometryError, RequestError
+from .model import PocketRequest
+
+
+def check_request(request: PocketRequest) -> None:
+    """Check every value of a request.
+
+    Raises
+    ------
+    RequestError
+        If a value makes no sense.
+    GeometryError
+        If the pocket's outline is broken.
+    """
+    _check_numbers(request)
+    _check_heights(request)
+    _check_outline(request.pocket)
+
+
+def _check_numbers(request: PocketRequest) -> None:
+    diameter, stepover = request.tool_diameter, request.cutting.stepover
+    _check_positive("The cutter's diameter", diameter, "Set it in the tool of the tool controller.")
+    if not (math.isfinite(stepover) and stepover > 0):
+        raise RequestError(
+            f"A step-over of {stepover:g} mm never clears the pocket.",
+            "Set StepOver above 0; 20 to 45 % of the cutter's diameter is usual.",
+        )
+    if stepover > diameter:
+        raise RequestError(
+            f"A step-over of {stepover:g} mm is wider than the {diameter:g} mm cutter.",
+            "Set StepOver to 100 % or less.",
+        )
+    feeds = request.feeds
+    hint = "Set the feeds in the tool controller."
+    _check_positive("The horizontal feed", feeds.horizontal, hint)
+    _check_positive("The vertical feed", feeds.vertical, hint)
+    _check_positive("The horizontal rapid rate", feeds.horizontal_rapid, hint)
+    _check_positive("The vertical rapid rate", feeds.vertical_rapid, hint)
+    _check_positive("The tolerance", request.tolerance, "0.01 mm is usual.")
+    if not 0 < request.entry.helix_angle < math.pi / 2:
+        raise RequestError(
+            f"A helix angle of {math.degrees(request.entry.helix_angle):g} degrees cannot be cut.",
+            "Set HelixAngle between 1 and 30 degrees; 5 is usual.",
+        )
+    if not request.entry.max_diameter >= 0:
+        raise RequestError(
+            "The helix's diameter limit is negative.", "Set HelixDiameterLimit to 0 for no limit."
+        )
+    for name, value in (
+        ("XY stock to leave", request.cutting.stock_to_leave),
+        ("Z stock to leave", request.cutting.floor_stock),
+    ):
+        if not math.isfinite(value):
+            raise RequestError(f"The {name} is not a number.", "Set it to 0 for none.")
+
+
+def _check_positive(name: str, value: float, hint: str) -> None:
+    if not (math.isfinite(value) and value > 0):
+        raise RequestError(f"{name} is {value:g}; it must be more than 0.", hint)
+
+
+def _check_heights(request: PocketRequest) -> None:
+    h = request.heights
+    floor = h.final_depth + request.cutting.floor_stock
+    if h.final_depth >= h.start_depth:
+        raise RequestError(
+            f"The depths are upside down: the pocket's floor (final depth {h.final_depth:g} mm) is "
+            f"not below its top (start depth {h.start_depth:g} mm).",
+            "Set StartDepth above FinalDepth.",
+        )
+    if floor >= h.start_depth:
+        raise RequestError(
+            f"With {request.cutting.floor_stock:g} mm of stock to leave on the floor nothing is "
+            "left to cut.",
+            "Lower ZStockToLeave.",
+        )
+    if not h.step_down > 0:
+        raise RequestError(
+            f"A step down of {h.step_down:g} mm never reaches the floor.", "Set StepDown above 0."
+        )
+    if not 0 <= h.finish_depth <= h.step_down:
+        raise RequestError(
+            f"The finish depth of {h.finish_depth:g} mm is not between 0 and the step down of "
+            f"{h.step_down:g} mm.",
+            "Lower FinishDepth or raise StepDown.",
+        )
+    if not h.clearance >= h.safe >= h.start_depth:
+        raise RequestError(
+            f"The heights are upside down: clearance {h.clearance:g} mm, safe {h.safe:g} mm, "
+            f"start depth {h.start_depth:g} mm.",
+            "Set ClearanceHeight above SafeHeight above StartDepth.",
+        )
+
+
+def _check_outline(pocket: Polygon) -> None:
+    if pocket.is_empty or pocket.area == 0:
+        raise GeometryError("The pocket has no area.", "Select the floor face of the pocket.")
+    if not np.isfinite(get_coordinates(pocket)).all():
+        raise GeometryError("The pocket's outline has points at infinity.")
+    if not pocket.is_valid:
+        place = pocket.exterior.coords[0]
+        raise GeometryError(
+            f"The pocket's outline is broken ({is_valid_reason(pocket)}).",
+            "Check the part's geometry in the Part workbench and repair the face.",
+            (place[0], place[1]),
+        )

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the pocket's outline to the regions where the cutter's center may be.
+
+The cutter-center region is the pocket shrunk by the cutter radius and the
+stock to leave. Necks that the cutter cannot pass break it into several; what
+no center position reaches is told to the machinist with its place. Corners
+that merely keep the cutter's radius are nobody's news.
+"""
+
+from __future__ import annotations
+
+import math
+
+import shapely
+from shapely import MultiPolygon, Polygon
+from shapely.geometry.polygon import orient
+
+from .errors import CutterDoesNotFitError
+from .model import Notice
+
+#: Largest distance between a buffer's polygon and its true arcs [mm].
+BUFFER_SAG = 0.001
+#: A left-over piece that takes a disc of this share of the cutter's radius is told about; the
+#: piece in a square corner takes 0.17.
+TOLD_SHARE = 0.3
+
+
+def quad_segments(radius: float, sag: float = BUFFER_SAG) -> int:
+    """Return how many chords a quarter circle needs to keep within `sag`.
+
+    Parameters
+    ----------
+    radius, sag : float
+        [mm]
+    """
+    step = 2 * math.acos(max(-1.0, 1.0 - sag / max(abs(radius), sag)))
+    return max(8, math.ceil(math.pi / 2 / step))
+
+
+def grow(shape: Polygon | MultiPolygon, distance: float) -> Polygon | MultiPolygon:
+    """Return `shape` grown by `distance` [mm] (shrunk if negative), arcs within `BUFFER_SAG`."""
+    return shapely.buffer(shape, distance, quad_segs=quad_segments(distance))
+
+
+def polygons_of(shape: shapely.Geometry) -> list[Polygon]:
+    """Return the polygons in `shape`, counter-clockwise, largest first (ties: lower left)."""
+    parts = [g for g in shapely.get_parts(shape) if isinstance(g, Polygon) and not g.is_empty]
+    return [orient(p) for p in sorted(parts, key=lambda p: (-p.area, p.bounds))]
+
+
+def widest_disc(shape: Polygon, tolerance: float = 0.01) -> tuple[tuple[float, float], float]:
+    """Return center and radius [mm] of the largest disc inside `shape`."""
+    line = shapely.maximum_inscribed_circle(shape, tolerance=tolerance)
+    (x, y), _ = line.coords
+    return (x, y), float(line.length)
+
+
+def center_regions(pocket: Polygon, cutter_radius: float, stock: float) -> list[Polygon]:
+    """Return where the cutter's center may be: polygons, counter-clockwise, largest first.
+
+    Parameters
+    ----------
+    pocket : shapely.Polygon
+    cutter_radius : float
+        R [mm].
+    stock : float
+        Stock to leave on the walls [mm].
+
+    Raises
+    ------
+    CutterDoesNotFitError
+        If there is no such place.
+    """
+    inset = cutter_radius + stock
+    regions = polygons_of(grow(pocket, -inset))
+    if not regions:
+        place, radius = widest_disc(pocket)
+        left = f" with {stock:g} mm of stock to leave" if stock else ""
+        raise CutterDoesNotFitError(
+            f"The {2 * cutter_radius:g} mm cutter does not fit the pocket{left}: it is "
+            f"{2 * radius:.4g} mm wide at its widest, at X{place[0]:.1f} Y{place[1]:.1f}.",
+            f"Take a cutter below {2 * (radius - stock):.4g} mm."
+            if radius > stock
+            else "Lower StockToLeave.",
+            place,
+        )
+    return regions
+
+
+def unreachable_notices(
+    pocket: Polygon, regions: list[Polygon], cutter_radius: float, stock: float
+) -> tuple[Notice, ...]:
+    """Return a notice for each part of the pocket that the cutter cannot enter."""
+    target = grow(pocket, -stock) if stock else pocket
+    reached = grow(MultiPolygon(regions), cutter_radius)
+    notices = []
+    for piece in polygons_of(shapely.difference(target, reached)):
+        place, radius = widest_disc(piece)
+        if radius > TOLD_SHARE * cutter_radius:
+            notices.append(
+                Notice(
+                    f"The {2 * cutter_radius:g} mm cutter does not fit the {2 * radius:.3g} mm "
+                    f"neck at X{place[0]:.1f} Y{place[1]:.1f}; that part "
+                    f"({piece.area:.0f} mm2) stays uncut.",
+                    f"A cutter below {2 * radius:.3g} mm reaches it.",
+                    place,
+                )
+            )
+    return tuple(notices)
