@@ -51,7 +51,7 @@ def fit_helix_radius(region: Polygon, center: Floats, cutter_radius: float, entr
     if radius < NARROWEST * cutter_radius:
         raise CutterDoesNotFitError(
             f"The {2 * cutter_radius:g} mm cutter fits the pocket, but has no room for its helix "
-            f"at X{center[0]:.1f} Y{center[1]:.1f} (circle of {2 * radius:.3g} mm).",
+            f"at {{at}} (circle of {2 * radius:.3g} mm).",
             f"Take a cutter below {2 * (cutter_radius + room) / (1 + NARROWEST):.3g} mm, or raise "
             "HelixDiameterLimit if it is set.",
             (center[0], center[1]),
@@ -65,11 +65,10 @@ def ramp_feed(feeds: Feeds, angle: float) -> float:
 
 
 def helix_start(helix: Helix, angle: float, top: float, bottom: float) -> Floats:
-    """Return where the helix from `top` to `bottom` begins, shape (3,) [mm]."""
-    sweep = (top + APPROACH - bottom) / (helix.radius * math.tan(angle))
+    """Return where the helix from `top` down to `bottom` begins, (x, y) [mm]."""
+    sweep = (top - bottom) / (helix.radius * math.tan(angle))
     at = helix.start_angle - sweep
-    x, y = helix.center + helix.radius * np.array([math.cos(at), math.sin(at)])
-    return np.array([x, y, top + APPROACH])
+    return helix.center + helix.radius * np.array([math.cos(at), math.sin(at)])
 
 
 def cut_helix(

@@ -12,13 +12,19 @@ This module imports nothing, so that it can report that a library is missing.
 from __future__ import annotations
 
 
+def tell(message: str, hint: str, place: tuple[float, float] | None) -> str:
+    """Return message and hint as one text, ``{at}`` replaced by the place ("X12.3 Y40.0")."""
+    at = "the pocket" if place is None else f"X{place[0]:.1f} Y{place[1]:.1f}"
+    return f"{message} {hint}".strip().replace("{at}", at)
+
+
 class SpiralPocketError(Exception):
     """A pocket cannot be cut as asked.
 
     Parameters
     ----------
     message : str
-        What is the matter, a sentence or two.
+        What is the matter, a sentence or two; ``{at}`` in it stands for the place.
     hint : str, optional
         What the machinist can do about it, one sentence.
     place : tuple of float, optional
@@ -29,13 +35,18 @@ class SpiralPocketError(Exception):
         self, message: str, hint: str = "", place: tuple[float, float] | None = None
     ) -> None:
         super().__init__(message)
-        self.message = message
+        self._message = message
         self.hint = hint
         self.place = None if place is None else (float(place[0]), float(place[1]))
 
+    @property
+    def message(self) -> str:
+        """Return what is the matter."""
+        return tell(self._message, "", self.place)
+
     def __str__(self) -> str:
         """Return message and hint as one text."""
-        return f"{self.message} {self.hint}".strip()
+        return tell(self._message, self.hint, self.place)
 
 
 class RequestError(SpiralPocketError):

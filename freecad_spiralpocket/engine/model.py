@@ -21,6 +21,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from .errors import tell
+
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
 
@@ -194,9 +196,9 @@ class Helix:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FloorPath:
-    """What one cutter-center region needs at any level, in the plane, climb.
+    """What one cutter-center region needs at any level, in the plane.
 
-    It runs counter-clockwise outwards; conventional milling mirrors it.
+    It is for climb milling: counter-clockwise outwards.
 
     Attributes
     ----------
@@ -204,7 +206,9 @@ class FloorPath:
     spiral : ndarray of shape (n, 2)
         From the end of the entry to the wall [mm].
     closing_lap : ndarray of shape (m, 2)
-        Along the wall, from the end of the spiral; (0, 2) for none.
+        Along the wall, once round.
+    leave : ndarray of shape (k, 2)
+        From the end of the closing lap off the wall, through cleared ground; may be empty.
     curve : SplineCurve or None
         The exact curve behind `spiral`, where the strategy has one.
     """
@@ -212,12 +216,16 @@ class FloorPath:
     entry: Helix
     spiral: Floats
     closing_lap: Floats
+    leave: Floats
     curve: SplineCurve | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Notice:
-    """Something the machinist should know about a path that was made all the same."""
+    """Something the machinist should know about a path that was made all the same.
+
+    The fields are those of `errors.SpiralPocketError`.
+    """
 
     message: str
     hint: str = ""
@@ -225,7 +233,7 @@ class Notice:
 
     def __str__(self) -> str:
         """Return message and hint as one text."""
-        return f"{self.message} {self.hint}".strip()
+        return tell(self.message, self.hint, self.place)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

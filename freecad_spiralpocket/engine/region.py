@@ -78,7 +78,7 @@ def center_regions(pocket: Polygon, cutter_radius: float, stock: float) -> list[
         left = f" with {stock:g} mm of stock to leave" if stock else ""
         raise CutterDoesNotFitError(
             f"The {2 * cutter_radius:g} mm cutter does not fit the pocket{left}: it is "
-            f"{2 * radius:.4g} mm wide at its widest, at X{place[0]:.1f} Y{place[1]:.1f}.",
+            f"{2 * radius:.4g} mm wide at its widest, at {{at}}.",
             f"Take a cutter below {2 * (radius - stock):.4g} mm."
             if radius > stock
             else "Lower StockToLeave.",
@@ -100,8 +100,7 @@ def unreachable_notices(
             notices.append(
                 Notice(
                     f"The {2 * cutter_radius:g} mm cutter does not fit the {2 * radius:.3g} mm "
-                    f"neck at X{place[0]:.1f} Y{place[1]:.1f}; that part "
-                    f"({piece.area:.0f} mm2) stays uncut.",
+                    f"neck at {{at}}; that part ({piece.area:.0f} mm2) stays uncut.",
                     f"A cutter below {2 * radius:.3g} mm reaches it.",
                     place,
                 )

@@ -10,7 +10,7 @@ keep the proof and the machine-time model vectorised over 10^5 moves.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 
 import numpy as np
@@ -98,6 +98,18 @@ class Toolpath:
         radii = np.hypot(*(self.points[:, :2] - self.centers).T)
         flat = np.where(self.is_arc, radii * np.abs(self.sweeps), flat)
         return np.hypot(flat, d[:, 2])
+
+    def mirrored(self) -> Toolpath:
+        """Return the toolpath with X reversed: climb becomes conventional."""
+        turned = {int(Kind.ARC_CW): Kind.ARC_CCW, int(Kind.ARC_CCW): Kind.ARC_CW}
+        kinds = np.array([turned.get(k, k) for k in self.kinds.tolist()], np.int8)
+        return replace(
+            self,
+            start=self.start * (-1, 1, 1),
+            kinds=kinds,
+            points=self.points * (-1, 1, 1),
+            centers=self.centers * (-1, 1),
+        )
 
 
 class ToolpathBuilder:

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The whole way from a request to a proved plan, as a page of named stages.
+
+check -> cutter-center regions -> a floor path for each -> levels, entry, lifts
+-> proof. Strategies only know climb milling: for conventional milling the
+regions are mirrored before, and what came of them after.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from shapely import Polygon
+from shapely.affinity import scale
+from shapely.geometry.polygon import orient
+
+from .checks import check_request
+from .dependencies import require_libraries
+from .errors import CancelledError, ProofError, SpiralPocketError
+from .laps import linear_morph
+from .levels import floors
+from .model import (
+    CutMode,
+    FloorPath,
+    Notice,
+    Plan,
+    PocketRequest,
+    Progress,
+    SplineCurve,
+    Strategy,
+)
+from .region import center_regions, unreachable_notices
+from .rendering import render
+from .verify import prove
+
+#: A path that gouges deeper than the tolerance and this is not handed out [mm].
+GOUGE_SLACK = 0.005
+
+_STRATEGIES: dict[Strategy, Callable[[Polygon, PocketRequest], FloorPath]] = {
+    Strategy.LINEAR_MORPH: linear_morph.floor_path,
+}
+
+
+def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
+    """Plan the toolpath of one pocket, and prove it.
+
+    Parameters
+    ----------
+    request : PocketRequest
+    progress : callable, optional
+        See `model.Progress`.
+
+    Returns
+    -------
+    Plan
+        Its report says what was measured, and what stays uncut.
+
+    Raises
+    ------
+    SpiralPocketError
+        If no part of the pocket can be cut as asked, or the user cancelled; see `errors`.
+    """
+    require_libraries()
+    _tell(progress, 0.0, "Checking the pocket")
+    check_request(request)
+    radius, stock = request.cutter_radius, request.cutting.stock_to_leave
+    regions = center_regions(request.pocket, radius, stock)
+    notices = unreachable_notices(request.pocket, regions, radius, stock)
+
+    paths, uncut = _floor_paths(regions, request, progress)
+    levels = floors(request.heights, request.cutting.floor_stock)
+    toolpath = render(paths, levels, request)
+    curves = tuple(path.curve for path in paths if path.curve is not None)
+    if request.cutting.cut_mode is CutMode.CONVENTIONAL:
+        toolpath, curves = toolpath.mirrored(), tuple(_mirrored_curve(c) for c in curves)
+
+    _tell(progress, 0.7, "Proving the path")
+    report = prove(request, toolpath)
+    if report.gouge > request.tolerance + GOUGE_SLACK:
+        raise ProofError(
+            f"The path was made, but would cut {report.gouge:.3f} mm into the wall; it is not "
+            "handed out.",
+            "Try another step-over or strategy, and please report this pocket.",
+        )
+    _tell(progress, 1.0, "Done")
+    report = replace(report, notices=(*notices, *uncut, *report.notices))
+    return Plan(request, toolpath, report, curves)
+
+
+def _tell(progress: Progress | None, done: float, stage: str) -> None:
+    """Report progress; raise if the user cancelled."""
+    if progress is not None and progress(done, stage):
+        raise CancelledError("Stopped by the user.", "Recompute the operation to try again.")
+
+
+def _floor_paths(
+    regions: Sequence[Polygon], request: PocketRequest, progress: Progress | None
+) -> tuple[list[FloorPath], tuple[Notice, ...]]:
+    """Return a path for each region that can be cut, and a notice for each that cannot."""
+    mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
+    strategy = _STRATEGIES[request.strategy]
+    paths, failures = [], []
+    for i, region in enumerate(regions):
+        _tell(progress, 0.1 + 0.6 * i / len(regions), "Laying the spiral")
+        try:
+            paths.append(strategy(_mirrored(region) if mirrored else region, request))
+        except SpiralPocketError as error:
+            if mirrored and error.place is not None:
+                error.place = (-error.place[0], error.place[1])
+            failures.append(error)
+    if not paths:
+        raise failures[0]
+    return paths, tuple(
+        Notice(f"{error.message} That part stays uncut.", error.hint, error.place)
+        for error in failures
+    )
+
+
+def _mirrored(region: Polygon) -> Polygon:
+    return orient(scale(region, -1.0, 1.0, origin=(0.0, 0.0)))
+
+
+def _mirrored_curve(curve: SplineCurve) -> SplineCurve:
+    return replace(curve, control_points=curve.control_points * (-1, 1))

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Vectorised polyline maths: where a ring begins, even samples, simplification."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+from shapely import LineString, Point, Polygon
+
+from .model import Floats
+
+
+def ring_from(ring: Floats, place: Floats, toward: tuple[float, float] | None = None) -> Floats:
+    """Return a closed ring that begins at the point of it nearest to `place`.
+
+    Parameters
+    ----------
+    ring : ndarray of shape (n, 2)
+        Its last point is not the first again.
+    place : ndarray of shape (2,)
+    toward : tuple of float, optional
+        Then the ring begins where the ray from `place` in this direction first meets it.
+
+    Returns
+    -------
+    ndarray of shape (m, 2)
+        First and last point are the same.
+    """
+    line = LineString(np.vstack([ring, ring[:1]]))
+    if toward is not None:
+        far = place + np.array(toward) * (line.length + float(np.ptp(ring)))
+        met = shapely.intersection(line, LineString([place, far]))
+        if not met.is_empty:
+            place = np.array(shapely.shortest_line(met, Point(place)).coords[0])
+    at = line.project(Point(place))
+    coords = np.array(line.coords)
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(coords, axis=0), axis=1))])
+    start = np.array(line.interpolate(at).coords[0])
+    after = coords[:-1][along[:-1] > at + 1e-9]
+    before = coords[:-1][along[:-1] < at - 1e-9]
+    return np.vstack([start, after, before, start])
+
+
+def turning_samples(closed: Floats, length: float, turn: float) -> Floats:
+    """Sample a closed ring evenly in length plus turning, so that bends get more points.
+
+    Parameters
+    ----------
+    closed : ndarray of shape (n, 2)
+        First and last point are the same.
+    length : float
+        Distance of samples on a straight [mm].
+    turn : float
+        Turning between samples in a tight bend [rad].
+
+    Returns
+    -------
+    ndarray of shape (m, 2)
+        The last is not the first again.
+    """
+    steps = np.diff(closed, axis=0)
+    lengths = np.hypot(steps[:, 0], steps[:, 1])
+    keep = lengths > 1e-9
+    closed = np.vstack([closed[:-1][keep], closed[-1:]])
+    steps, lengths = steps[keep], lengths[keep]
+    heading = np.arctan2(steps[:, 1], steps[:, 0])
+    bend = np.abs((np.diff(heading, append=heading[:1]) + np.pi) % (2 * np.pi) - np.pi)
+    # half of each corner's turning goes to either side of it, spread over that edge
+    effort = lengths / length + (bend + np.roll(bend, 1)) / 2 / turn
+    total = np.concatenate([[0.0], np.cumsum(effort)])
+    count = max(8, int(np.ceil(total[-1])))
+    at = np.interp(np.arange(count) * total[-1] / count, total, np.arange(len(total)))
+    return _spread(closed, lengths, at)
+
+
+def _spread(closed: Floats, lengths: Floats, at: Floats) -> Floats:
+    """Smooth the spacing of samples at fractional indices `at`, and return their points.
+
+    A spline through points whose spacing jumps oscillates: distances between neighbors are
+    evened out along the ring, the first sample staying where it is.
+    """
+    along = np.concatenate([[0.0], np.cumsum(lengths)])
+    s = np.interp(at, np.arange(len(along)), along)
+    gaps = np.diff(np.append(s, along[-1]))
+    for _ in range(4):
+        gaps = (np.roll(gaps, 1) + 2 * gaps + np.roll(gaps, -1)) / 4
+    s = np.concatenate([[0.0], np.cumsum(gaps)[:-1]]) * along[-1] / gaps.sum()
+    return np.column_stack([np.interp(s, along, closed[:, i]) for i in (0, 1)])
+
+
+def simplify_inside(points: Floats, region: Polygon, tolerance: float) -> Floats:
+    """Drop points of a polyline along a region's wall where the chords keep within `tolerance`.
+
+    Around islands and reflex corners chords cut into the wall: the caller's tolerance is the most
+    they may [mm].
+    """
+    line = shapely.simplify(LineString(points), tolerance, preserve_topology=False)
+    return np.array(line.coords)
