@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pockets and requests that several tests share."""
+
+from __future__ import annotations
+
+import math
+
+from hypothesis import strategies as st
+from shapely import Point, Polygon, box
+
+from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
+
+HEIGHTS = Heights(
+    clearance=8.0, safe=3.0, start_depth=0.0, final_depth=-5.0, step_down=6.0, finish_depth=0.0
+)
+FEEDS = Feeds(horizontal=50.0, vertical=12.5, horizontal_rapid=83.0, vertical_rapid=83.0)
+
+
+def regular(n: int, radius: float, turn: float = 0.0) -> Polygon:
+    """Return a regular polygon of `n` corners on a circle."""
+    angles = [turn + 2 * math.pi * i / n for i in range(n)]
+    return Polygon([(radius * math.cos(a), radius * math.sin(a)) for a in angles])
+
+
+def rounded(polygon: Polygon, radius: float) -> Polygon:
+    """Return `polygon` with its convex corners rounded."""
+    return polygon.buffer(-radius).buffer(radius, quad_segs=32)
+
+
+#: LM15's test shapes: triangle, square and pentagon for a 6 mm cutter.
+TRIANGLE = rounded(regular(3, 54 / math.sqrt(3), math.pi / 2), 4.0)
+SQUARE = rounded(box(0, 0, 44, 44), 4.0)
+PENTAGON = rounded(regular(5, 27.0, math.pi / 2), 4.0)
+CIRCLE = Point(10, 5).buffer(30, quad_segs=256)
+L_SHAPE = Polygon([(0, 0), (80, 0), (80, 30), (30, 30), (30, 80), (0, 80)])
+DUMBBELL = box(-50, -20, -15, 20).union(box(15, -20, 50, 20)).union(box(-20, -6, 20, 6))
+RING = box(0, 0, 60, 60).difference(Point(30, 30).buffer(8))
+
+
+def request(pocket: Polygon, **changes) -> PocketRequest:
+    """Return a request for `pocket` with a 6 mm cutter at a 40 % step-over."""
+    values = {
+        "pocket": pocket,
+        "tool_diameter": 6.0,
+        "heights": HEIGHTS,
+        "feeds": FEEDS,
+        "cutting": Cutting(stepover=2.4),
+    }
+    values.update(changes)
+    return PocketRequest(**values)
+
+
+@st.composite
+def convex_pockets(draw) -> Polygon:
+    """Draw a convex pocket, 25 to 90 mm across."""
+    count = draw(st.integers(3, 9))
+    angles = sorted(
+        draw(st.lists(st.floats(0, 2 * math.pi), min_size=count, max_size=count, unique=True))
+    )
+    a, b = draw(st.floats(20, 45)), draw(st.floats(20, 45))
+    hull = Polygon(
+        [(a * math.cos(t), b * math.sin(t)) for t in (*angles, 0.3, 2.4, 4.5)]
+    ).convex_hull
+    return rounded(hull, draw(st.floats(0.0, 4.0)))

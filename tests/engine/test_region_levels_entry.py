@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cutter-center regions, levels and the helical entry."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from shapely import Point, box
+from shapes import DUMBBELL, FEEDS, HEIGHTS
+
+from freecad_spiralpocket.engine.entry import cut_helix, fit_helix_radius, helix_start, ramp_feed
+from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
+from freecad_spiralpocket.engine.levels import floors
+from freecad_spiralpocket.engine.model import Entry, Heights, Helix
+from freecad_spiralpocket.engine.region import center_regions, unreachable_notices
+from freecad_spiralpocket.engine.toolpath import Kind, ToolpathBuilder
+
+
+def test_region_of_a_rectangle_is_the_inset_rectangle():
+    (region,) = center_regions(box(0, 0, 40, 20), 3.0, 0.5)
+    assert region.symmetric_difference(box(3.5, 3.5, 36.5, 16.5)).area < 1e-9
+
+
+def test_region_grown_again_never_passes_the_wall():
+    pocket = box(0, 0, 40, 20).union(Point(40, 10).buffer(10))
+    (region,) = center_regions(pocket, 3.0, 0.0)
+    assert pocket.boundary.distance(region) > 3.0 - 1e-3
+
+
+def test_cutter_wider_than_the_pocket_is_told_with_the_width():
+    with pytest.raises(CutterDoesNotFitError, match="does not fit.*5.8.* mm wide") as caught:
+        center_regions(box(0, 0, 40, 5.8), 3.0, 0.0)
+    assert "below 5.8" in caught.value.hint
+
+
+def test_neck_that_the_cutter_cannot_pass_is_told_with_its_place():
+    pocket = box(0, 0, 30, 30).union(box(30, 12, 60, 17.8))
+    regions = center_regions(pocket, 3.0, 0.0)
+    (notice,) = unreachable_notices(pocket, regions, 3.0, 0.0)
+    assert "5.8 mm neck" in str(notice)
+    assert 30 < notice.place[0] < 60 and abs(notice.place[1] - 14.9) < 0.5
+
+
+def test_corners_are_nobodys_news():
+    regions = center_regions(DUMBBELL, 3.0, 0.0)
+    assert len(regions) == 1
+    assert unreachable_notices(DUMBBELL, regions, 3.0, 0.0) == ()
+
+
+@given(st.floats(0.5, 40), st.floats(0.2, 20), st.floats(0, 0.2))
+def test_levels_go_down_by_no_more_than_the_step(depth, step_down, finish):
+    finish = min(finish, step_down, depth)
+    levels = floors(Heights(8, 3, 1.0, 1.0 - depth, step_down, finish))
+    steps = -np.diff([1.0, *levels])
+    assert (steps > 0).all() and steps.max() <= step_down + 1e-5
+    assert levels[-1] == pytest.approx(1.0 - depth)
+    if 1e-5 < finish < depth - 1e-5:
+        assert steps[-1] == pytest.approx(finish)
+
+
+def test_full_steps_come_first_as_in_freecads_operations():
+    assert floors(Heights(8, 3, 0.0, -10.0, 4.0)) == pytest.approx([-4.0, -8.0, -10.0])
+    assert floors(Heights(8, 3, 0.0, -10.0, 4.0, 0.5)) == pytest.approx([-4, -8, -9.5, -10])
+
+
+@pytest.mark.parametrize("degrees", [1.0, 5.0, 20.0])
+def test_helix_descends_at_its_angle_and_ends_where_the_spiral_begins(degrees):
+    angle = math.radians(degrees)
+    helix = Helix(np.array([5.0, -2.0]), 2.8, 0.7)
+    x, y = helix_start(helix, angle, 0.5, -5.0)
+    builder = ToolpathBuilder((x, y, 0.5))
+    cut_helix(builder, helix, angle, -5.0, FEEDS)
+    toolpath = builder.build()
+    assert (np.abs(toolpath.sweeps) <= math.pi + 1e-9).all()
+    assert (toolpath.kinds == Kind.ARC_CCW).all()
+    flat = helix.radius * np.abs(toolpath.sweeps)
+    drop = -(toolpath.points[:, 2] - toolpath.starts[:, 2])
+    np.testing.assert_allclose(drop[:-2], flat[:-2] * math.tan(angle), rtol=1e-6)
+    np.testing.assert_allclose(drop[-2:], 0, atol=1e-12)
+    assert flat[-2:].sum() == pytest.approx(2 * math.pi * helix.radius)
+    end = helix.center + 2.8 * np.array([math.cos(0.7), math.sin(0.7)])
+    np.testing.assert_allclose(toolpath.points[-1], [*end, -5.0], atol=1e-9)
+
+
+def test_ramp_feed_keeps_both_feeds():
+    assert ramp_feed(FEEDS, math.radians(5)) == FEEDS.horizontal
+    steep = math.radians(30)
+    assert ramp_feed(FEEDS, steep) * math.sin(steep) == pytest.approx(FEEDS.vertical)
+
+
+def test_helix_is_as_wide_as_fits_and_leaves_no_post():
+    region = box(-20, -20, 20, 20)
+    assert fit_helix_radius(region, np.zeros(2), 3.0, Entry()) == pytest.approx(2.82)
+    narrow = box(-20, -1.0, 20, 1.0)
+    assert fit_helix_radius(narrow, np.zeros(2), 3.0, Entry()) == pytest.approx(1.0)
+    limited = Entry(max_diameter=3.0)
+    assert fit_helix_radius(region, np.zeros(2), 3.0, limited) == pytest.approx(1.5)
+    with pytest.raises(CutterDoesNotFitError, match="no room for its helix"):
+        fit_helix_radius(box(-20, -0.05, 20, 0.05), np.zeros(2), 3.0, Entry())
+
+
+def test_heights_of_the_tests_are_sound():
+    assert floors(HEIGHTS) == [-5.0]
