@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The package as a whole: one version everywhere, and imports that point one way.
+
+gui may import op, op may import engine; the engine knows neither FreeCAD nor
+Qt, so that it can be tested, and used, in plain Python.
+"""
+
+import ast
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+
+import freecad_spiralpocket
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "freecad_spiralpocket"
+MANIFEST = ElementTree.parse(ROOT / "package.xml").getroot()
+NAMESPACE = {"p": "https://wiki.freecad.org/Package_Metadata"}
+
+OURS = "freecad_spiralpocket"
+FREECAD = {"FreeCAD", "FreeCADGui", "Part", "Path", "PathScripts", "PySide", "pivy"}
+FORBIDDEN = {
+    "engine": FREECAD | {f"{OURS}.{name}" for name in ("op", "gui", "api", "cli")},
+    "op": {"FreeCADGui", "PySide", "pivy"} | {f"{OURS}.{name}" for name in ("gui", "api", "cli")},
+    "gui": {f"{OURS}.{name}" for name in ("api", "cli")},
+}
+
+
+def imported_modules(source, module, is_package=False):
+    """Return the dotted names that a module's source imports, relative ones made absolute."""
+    names = set()
+    parents = module.split(".") if is_package else module.split(".")[:-1]
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            base = parents[: len(parents) + 1 - node.level] if node.level else []
+            origin = ".".join([*base, *filter(None, [node.module])])
+            names |= {origin} | {f"{origin}.{alias.name}" for alias in node.names}
+    return names
+
+
+def forbidden_imports(part, source, module, is_package=False):
+    """Return what the module imports although its part of the package must not."""
+    return sorted(
+        name
+        for name in imported_modules(source, module, is_package)
+        if any(name == root or name.startswith(root + ".") for root in FORBIDDEN[part])
+    )
+
+
+@pytest.mark.parametrize("part", FORBIDDEN)
+def test_imports_point_one_way(part):
+    files = sorted((PACKAGE / part).rglob("*.py"))
+    assert files
+    for file in files:
+        module = ".".join(file.relative_to(ROOT).with_suffix("").parts)
+        is_package = file.name == "__init__.py"
+        module = module.removesuffix(".__init__")
+        found = forbidden_imports(part, file.read_text(encoding="utf-8"), module, is_package)
+        assert not found, f"{file.relative_to(ROOT)} imports {', '.join(found)}"
+
+
+@pytest.mark.parametrize(
+    ("part", "line"),
+    [
+        ("engine", "import Path.Op.Base"),
+        ("engine", "from ..op import geometry"),
+        ("engine", "from .. import op"),
+        ("engine", "def f():\n    from PySide import QtCore"),
+        ("op", "from freecad_spiralpocket.gui.panel import Page"),
+        ("gui", "from ..api import export"),
+    ],
+)
+def test_import_rule_sees(part, line):
+    assert forbidden_imports(part, line, f"{OURS}.{part}.module")
+
+
+def test_import_rule_lets_pass():
+    assert not forbidden_imports("op", "from ..engine import plan", f"{OURS}.op.module")
+    assert not forbidden_imports("engine", "from pathlib import Path", f"{OURS}.engine.module")
+
+
+def modules_after(statement):
+    """Return the modules that a fresh Python has loaded after the statement, and its seconds."""
+    code = (
+        f"import sys, time; start = time.perf_counter(); {statement}; "
+        "print(time.perf_counter() - start, *sys.modules)"
+    )
+    answer = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    seconds, *modules = answer.stdout.split()
+    return set(modules), seconds
+
+
+def test_package_import_is_light():
+    modules, _ = modules_after(f"import {OURS}")
+    assert not {"numpy", "scipy", "shapely"} & modules
+
+
+def test_engine_imports_without_freecad(record_property):
+    modules, seconds = modules_after(f"import {OURS}.engine")
+    record_property("seconds", seconds)  # reported in the results, not judged
+    assert "numpy" in modules
+    assert not FREECAD & modules
+
+
+def test_version_is_the_same_everywhere():
+    version = freecad_spiralpocket.__version__
+    changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    top = re.search(r"^## \[(\d+\.\d+\.\d+)\] - (\d{4}-\d\d-\d\d)$", changelog, re.MULTILINE)
+    assert MANIFEST.findtext("p:version", namespaces=NAMESPACE) == version
+    assert top.groups() == (version, MANIFEST.findtext("p:date", namespaces=NAMESPACE))
+
+
+def test_manifest_makes_freecad_run_both_start_files():
+    # Without a workbench in its content FreeCAD runs neither Init.py nor InitGui.py.
+    folder = MANIFEST.findtext("p:content/p:workbench/p:subdirectory", namespaces=NAMESPACE)
+    assert folder == "./"
+    for name in ("Init.py", "InitGui.py"):
+        assert (ROOT / name).is_file()
+
+
+def test_manifest_names_files_that_exist():
+    names = [license.get("file") for license in MANIFEST.findall("p:license", NAMESPACE)]
+    names.append(MANIFEST.findtext("p:icon", namespaces=NAMESPACE))
+    for name in names:
+        assert (ROOT / name).is_file(), name
+
+
+def test_files_start_with_their_license():
+    files = [ROOT / "Init.py", ROOT / "InitGui.py"]
+    for folder in (OURS, "benchmarks", "examples", "tests"):
+        files += (ROOT / folder).rglob("*.py")
+    for file in files:
+        first = file.read_text(encoding="utf-8").partition("\n")[0]
+        assert first == "# SPDX-License-Identifier: LGPL-2.1-or-later", file
