@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Spiral Pocket for scripts, with or without FreeCAD's window.
+
+    from freecad_spiralpocket import api
+
+    op = api.add_spiral_pocket(job, [(part, ["Face12"])], StepOver=30, FinalDepth="-5 mm")
+    gcode = api.export(job, "part.ngc", post="linuxcnc")
+
+Both raise the engine's errors (``freecad_spiralpocket.engine.errors``), whose text
+is meant for the machinist, and leave the document as it was when they do.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from .engine.errors import RequestError, SelectionError, SetupError
+from .op import compat, operation, properties
+
+__all__ = ["add_spiral_pocket", "export"]
+
+
+def add_spiral_pocket(
+    job: Any,
+    base: Iterable[tuple[Any, str | Sequence[str]]],
+    tool_controller: Any = None,
+    **values: Any,
+) -> Any:
+    """Add a Spiral Pocket operation to a job and recompute it.
+
+    Parameters
+    ----------
+    job : object
+        A CAM job of an open document.
+    base : iterable of (model, names)
+        The floors of the pockets: the part as the job refers to it or the original that was
+        given to the job, and the name or names of faces, such as ``["Face12", "Face15"]``.
+    tool_controller : object, optional
+        One of the job's; without it that of the last operation, else the job's first.
+    **values
+        Properties by their FreeCAD names: numbers in mm, degrees or percent, or texts with a
+        unit such as ``"0.5 in"``. An expression on the property is removed.
+
+    Returns
+    -------
+    object
+        The operation. Its ``Notices`` name the pockets that could not be cut, if others could.
+
+    Raises
+    ------
+    SpiralPocketError
+        If no pocket could be cut, or a property or value makes no sense; the document is as
+        before.
+    """
+    _check_values(values)
+    if getattr(job, "Operations", None) is None or getattr(job, "Tools", None) is None:
+        raise SetupError(f"{getattr(job, 'Label', job)} is not a CAM job.", "Create a job first.")
+    links = _links(job, base)
+    controller = _tool_controller(job, tool_controller)
+    with _unchanged_on_error(job):
+        with compat.supplied_tool_controller(controller):
+            op = operation.Create(operation.NAME, parentJob=job)
+        if view_factory := type(op.Proxy).view_factory:
+            view_factory(op)
+        op.ToolController = controller
+        op.Base = links
+        for name, value in values.items():
+            _set(op, name, value)
+        job.Document.recompute()
+        _raise_failure(op)
+    return op
+
+
+def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args: str = "") -> str:
+    """Post-process all active operations of a job into one file.
+
+    Parameters
+    ----------
+    job : object
+        A CAM job; its own choice of post-processor and arguments is neither used nor changed.
+    path : path-like
+        File to write.
+    post : str
+        Name of a post-processor as in FreeCAD's list, such as ``"linuxcnc"`` or ``"grbl"``.
+    args : str
+        Arguments for the post-processor.
+
+    Returns
+    -------
+    str
+        The G-code that was written.
+
+    Raises
+    ------
+    SetupError
+        If there is no such post-processor, it wrote nothing, or the file cannot be written.
+    """
+    with compat.active_document(job.Document):
+        try:
+            gcode = compat.post_process(job, post, args)
+        except LookupError as error:
+            raise SetupError(
+                f"FreeCAD has no post-processor {post}.",
+                "Choose one of its list, such as linuxcnc.",
+            ) from error
+        except RuntimeError as error:
+            raise SetupError(
+                f"The post-processor {post} wrote nothing.",
+                "Check its arguments, and that the job has an active operation.",
+            ) from error
+    try:
+        Path(path).write_text(gcode, encoding="utf-8")
+    except OSError as error:
+        raise SetupError(
+            f"Cannot write {path}: {error.strerror}.", "Choose another file."
+        ) from error
+    return gcode
+
+
+def _check_values(values: dict[str, Any]) -> None:
+    """Refuse unknown names, and what FreeCAD would silently change."""
+    known = sorted([*properties.option_names(), *properties.INHERITED])
+    for name, value in values.items():
+        if name not in known:
+            raise RequestError(
+                f"Spiral Pocket has no property {name}.", f"There are {', '.join(known)}."
+            )
+        allowed = properties.choices().get(name)
+        if allowed and value not in allowed:
+            raise RequestError(
+                f"{name} cannot be {value}.", f"Choose one of: {', '.join(allowed)}."
+            )
+    stepover = values.get("StepOver", 1)
+    if not (
+        isinstance(stepover, int | float) and stepover == int(stepover) and 1 <= stepover <= 100
+    ):
+        raise RequestError(
+            f"A step-over of {stepover} percent cannot be cut.",
+            "Give StepOver as a whole number from 1 to 100, percent of the cutter's diameter.",
+        )
+
+
+def _links(
+    job: Any, base: Iterable[tuple[Any, str | Sequence[str]]]
+) -> list[tuple[Any, tuple[str, ...]]]:
+    """Return `base` with the job's own copies in place of the original parts."""
+    own = {job.Proxy.baseObject(job, m).Name: m for m in job.Model.Group}
+    own |= {m.Name: m for m in job.Model.Group}
+    links = []
+    for model, names in base or ():
+        if model.Name not in own:
+            raise SelectionError(
+                f"{model.Label} is not part of {job.Label}.", "Add it to the job's model first."
+            )
+        links.append((own[model.Name], (names,) if isinstance(names, str) else tuple(names)))
+    if not any(names for _, names in links):
+        raise SelectionError("No face is selected.", "Name the floor of at least one pocket.")
+    return links
+
+
+def _tool_controller(job: Any, wanted: Any) -> Any:
+    """Return the tool controller to use."""
+    controllers = job.Tools.Group
+    if not controllers:
+        raise SetupError(
+            f"{job.Label} has no tool controller.", "Add one with an end mill to the job."
+        )
+    if wanted is None:
+        used = [getattr(op, "ToolController", None) for op in job.Operations.Group]
+        return next((tc for tc in reversed(used) if tc in controllers), controllers[0])
+    if wanted not in controllers:
+        raise SetupError(
+            f"{wanted.Label} is not a tool controller of {job.Label}.", "Add it to the job first."
+        )
+    return wanted
+
+
+def _set(op: Any, name: str, value: Any) -> None:
+    """Set a property; text may carry a unit."""
+    if any(path == name for path, _ in op.ExpressionEngine):
+        op.setExpression(name, None)
+    if name == "StepOver":
+        value = int(value)
+    try:
+        setattr(op, name, value)
+    except (TypeError, ValueError, ArithmeticError, SyntaxError) as error:
+        raise RequestError(
+            f"{name} cannot be {value!r}: {error}.", "Give a number or a text with a unit."
+        ) from error
+
+
+def _raise_failure(op: Any) -> None:
+    """Raise what kept the operation from making any path."""
+    if not op.isValid():
+        raise SetupError(
+            "FreeCAD could not compute the operation.", "Its report view says what happened."
+        )
+    if op.Active and not op.Proxy.plans:
+        raise op.Proxy.errors[0]
+
+
+@contextmanager
+def _unchanged_on_error(job: Any) -> Iterator[None]:
+    """Make one undo step; on an error take everything back that was added to the document."""
+    document = job.Document
+    before, cycle_time = {o.Name for o in document.Objects}, job.CycleTime
+    own_step = bool(document.UndoMode) and not document.HasPendingTransaction
+    with compat.active_document(document):
+        if own_step:
+            document.openTransaction("Spiral Pocket")
+        try:
+            yield
+        except BaseException:
+            if own_step:
+                document.abortTransaction()
+            for name in {o.Name for o in document.Objects} - before:
+                document.removeObject(name)
+            job.CycleTime = cycle_time
+            document.recompute()
+            raise
+        if own_step:
+            document.commitTransaction()

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every difference between FreeCAD 0.20, 1.0 and 1.1 that the operation meets.
+
+1.0 turned the workbench "Path" (modules ``PathScripts.Path*``) into "CAM"
+(package ``Path``); 1.1 turned tools into assets. The aliases at the top have the
+same interface everywhere, the functions below do the same thing everywhere.
+Nothing else in `op`, `api` and `cli` asks for a version.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import FreeCAD
+import Part
+from PathScripts import PathUtils
+
+try:
+    import Path.Base.SetupSheet as PathSetupSheet
+    import Path.Log as PathLog
+    import Path.Main.Job as PathJob
+    import Path.Op.Base as PathOp
+    import Path.Tool.Controller as PathToolController
+
+    IS_LEGACY = False
+except ImportError:
+    from PathScripts import PathJob, PathLog, PathOp, PathSetupSheet, PathToolController
+
+    IS_LEGACY = True
+
+__all__ = [
+    "IS_LEGACY",
+    "STALE_ELEMENT_ERRORS",
+    "PathJob",
+    "PathLog",
+    "PathOp",
+    "PathSetupSheet",
+    "PathToolController",
+    "PathUtils",
+    "active_document",
+    "add_tool_controller",
+    "parent_job",
+    "post_process",
+    "supplied_tool_controller",
+    "tool_shape",
+]
+
+#: What ``Shape.getElement`` raises for a face that is not there (any more).
+STALE_ELEMENT_ERRORS = (Part.OCCError, ValueError, IndexError)
+
+#: A post must not open its editor window.
+_QUIET = "--no-show-editor"
+
+
+def parent_job(obj: Any) -> Any:
+    """Return the job that `obj` belongs to, or None."""
+    return PathUtils.findParentJob(obj)
+
+
+def tool_shape(tool: Any) -> str:
+    """Return the name of the tool's shape in lower case without separators, "" if unknown.
+
+    "endmill", "ballend", "bullnose", "vbit", "drill", ...: up to 1.0 the tool bit
+    carries it as `ShapeName`, from 1.1 on as `ShapeType`; tools of 0.18 as `ToolType`.
+    """
+    for name in ("ShapeType", "ShapeName", "ToolType"):
+        if hasattr(tool, name):
+            return "".join(c for c in str(getattr(tool, name)).lower() if c.isalnum())
+    return ""
+
+
+class _Chosen:
+    """Stands in for the dialog that asks the user for a tool controller."""
+
+    def __init__(self, tool_controller: Any) -> None:
+        self._tool_controller = tool_controller
+
+    def selectedToolController(self) -> Any:  # noqa: N802 - the name FreeCAD calls
+        return self._tool_controller
+
+    def chooseToolController(self, controllers: Sequence[Any]) -> Any:  # noqa: N802
+        return self._tool_controller
+
+
+@contextmanager
+def supplied_tool_controller(tool_controller: Any) -> Iterator[None]:
+    """Answer FreeCAD's question for a tool controller with `tool_controller`.
+
+    The first operation of a job with several tool controllers asks for one and,
+    without a window, raises UnboundLocalError in all versions.
+    """
+    before = PathUtils.UserInput
+    PathUtils.UserInput = _Chosen(tool_controller)
+    try:
+        yield
+    finally:
+        PathUtils.UserInput = before
+
+
+@contextmanager
+def active_document(document: Any) -> Iterator[None]:
+    """Make `document` the active one for a while: CAM looks for jobs only there."""
+    before = FreeCAD.ActiveDocument
+    FreeCAD.setActiveDocument(document.Name)
+    try:
+        yield
+    finally:
+        if before is not None and before.Name in FreeCAD.listDocuments():
+            FreeCAD.setActiveDocument(before.Name)
+
+
+def add_tool_controller(job: Any, diameter: float) -> Any:
+    """Add an end mill of `diameter` [mm] with its tool controller to `job` and return that."""
+    number = 1 + max((tc.ToolNumber for tc in job.Tools.Group), default=0)
+    tool_controller = PathToolController.Create(f"TC: {diameter:g} mm end mill", toolNumber=number)
+    tool_controller.Tool.Diameter = diameter
+    tool_controller.Tool.Label = f"{diameter:g} mm end mill"
+    job.Proxy.addToolController(tool_controller)
+    return tool_controller
+
+
+def post_process(job: Any, post: str, args: str) -> str:
+    """Return the G-code of all active operations of `job` by the post-processor `post`.
+
+    Raises
+    ------
+    LookupError
+        If there is no such post-processor.
+    RuntimeError
+        If the post-processor wrote nothing.
+    """
+    if not post.isidentifier():
+        raise LookupError(post)
+    words = args if _QUIET in args else f"{args} {_QUIET}".strip()
+    sections = _export_legacy(job, post, words) if IS_LEGACY else _export(job, post, words)
+    text = "\n".join(s for s in sections if s)
+    if not text.strip():
+        raise RuntimeError(f"the post-processor {post} wrote nothing")
+    return text
+
+
+def _export(job: Any, post: str, args: str) -> list[str]:
+    """Post with the factory of 1.0 and later, which takes its arguments from the job."""
+    from Path.Post.Processor import PostProcessorFactory
+
+    before, was_touched = job.PostProcessorArgs, "Touched" in job.State
+    job.PostProcessorArgs = args
+    try:
+        processor = PostProcessorFactory.get_post_processor(job, post)
+        if processor is None:
+            raise LookupError(post)
+        return [gcode for _, gcode in processor.export() or []]
+    finally:
+        job.PostProcessorArgs = before
+        if not was_touched:
+            job.purgeTouched()
+
+
+def _export_legacy(job: Any, post: str, args: str) -> list[str]:
+    """Post with 0.20, through a file: some of its posts return nothing."""
+    from PathScripts.PathPost import CommandPathPost
+    from PathScripts.PathPostProcessor import PostProcessor
+
+    search_path = sys.path
+    try:
+        processor = PostProcessor.load(post)
+    except ImportError as error:
+        raise LookupError(post) from error
+    finally:
+        sys.path = search_path
+    texts = []
+    with tempfile.TemporaryDirectory() as folder:
+        for number, objects in enumerate(CommandPathPost().buildPostList(job)):
+            name = os.path.join(folder, f"{number}.nc")
+            processor.export(objects, name, args)
+            with open(name, encoding="utf-8") as file:
+                texts.append(file.read())
+    return texts

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the edges of a floor to a polygon that never reaches into a wall.
+
+Curved edges become chords. Where the wall is hollow, as in the corner of a
+pocket, a chord stays inside the pocket and leaves at most its sag standing.
+Where the wall bulges into the pocket, as around an island, a chord would cut the
+wall by its sag; there the two tangents at the chord's ends take its place, which
+touch the wall and stay inside the pocket. Which of the two it is, is decided for
+each piece of each edge, so B-splines with inflections need no special care.
+
+Rings run with the pocket on their left: the outline counter-clockwise, islands
+clockwise. FreeCAD's own sense of rotation differs between its versions.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..engine.errors import SelectionError
+from .selection import Floor, wall_rises
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+Floats = NDArray[np.float64]
+
+#: Ends of edges that are closer than this are one corner [mm]; FreeCAD's own limit is 1e-7,
+#: IGES files are coarser.
+GAP = 1e-3
+#: The largest turn of one piece [rad]: keeps tangents from meeting far away.
+_LARGEST_TURN = np.radians(20)
+#: A piece is not halved more often than this.
+_DEEPEST = 12
+#: Tangents are taken this share inside a piece, so that a kink at its ends does not matter.
+_INSET = 1e-6
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """A stretch of an edge, from one point to the next in the order of the ring.
+
+    `start`, `end` : ndarray of shape (2,); `heading`, `arrival`: unit tangents there;
+    `middle`: a point between them.
+    """
+
+    start: Floats
+    end: Floats
+    heading: Floats
+    arrival: Floats
+    middle: Floats
+
+    def reversed(self) -> _Piece:
+        return _Piece(self.end, self.start, -self.arrival, -self.heading, self.middle)
+
+
+def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
+    """Return the floor as a polygon in the plane.
+
+    Holes in the floor, from whose rim no wall rises, are no islands and are filled.
+
+    Parameters
+    ----------
+    floor : Floor
+    sag : float
+        Largest distance of the polygon from the true outline [mm], positive.
+    use_outline : bool
+        Leave out all islands.
+
+    Returns
+    -------
+    shapely.Polygon
+        Valid; inside the true floor up to rounding.
+
+    Raises
+    ------
+    SelectionError
+        If a wire of the face is not closed or the outline crosses itself.
+    """
+    from shapely import Polygon
+
+    outer = floor.face.OuterWire
+    rings = [_ring(outer, sag, floor.label, counter_clockwise=True)]
+    if not use_outline:
+        for wire in floor.face.Wires:
+            if not wire.isSame(outer) and is_island(floor, wire):
+                rings.append(_ring(wire, sag, floor.label, counter_clockwise=False))
+    result = Polygon(rings[0], rings[1:])
+    if not result.is_valid or result.is_empty:
+        raise SelectionError(
+            f"The outline of {floor.label} crosses itself.",
+            "Repair the part (Part workbench, Check Geometry).",
+        )
+    return result
+
+
+def is_island(floor: Floor, wire: Any) -> bool:
+    """Return whether a wall rises from the inner wire `wire`; else it is a hole in the floor."""
+    return any(wall_rises(floor.solid, floor.face, e) for e in wire.Edges)
+
+
+def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floats:
+    """Return the wire as points, shape (n, 2), inside the pocket or on its wall."""
+    pieces = _chain([_pieces(e, sag) for e in wire.OrderedEdges], where)
+    x, y = np.array([p.start for p in pieces]).T
+    area = np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y) / 2
+    if (area > 0) != counter_clockwise:
+        pieces = [p.reversed() for p in reversed(pieces)]
+    points = []
+    for piece in pieces:
+        points.append(piece.start)
+        points.extend(_bulge(piece))
+    return np.array(points)
+
+
+def _chain(edges: list[list[_Piece]], where: str) -> list[_Piece]:
+    """Return the pieces of all edges head to tail, turning edges around where needed."""
+    if len(edges) > 1 and not _touch(edges[0][-1].end, edges[1]):
+        edges[0] = _turned(edges[0])
+    chain = list(edges[0])
+    for pieces in edges[1:]:
+        here = chain[-1].end
+        if np.linalg.norm(pieces[0].start - here) > np.linalg.norm(pieces[-1].end - here):
+            pieces = _turned(pieces)
+        if np.linalg.norm(pieces[0].start - here) > GAP:
+            break
+        chain += pieces
+    if len(chain) < sum(map(len, edges)) or np.linalg.norm(chain[-1].end - chain[0].start) > GAP:
+        x, y = chain[-1].end
+        raise SelectionError(
+            f"The outline of {where} is not closed at X{x:.2f} Y{y:.2f}.",
+            "Repair the part (Part workbench, Check Geometry).",
+            place=(x, y),
+        )
+    return chain
+
+
+def _touch(point: Floats, pieces: list[_Piece]) -> bool:
+    ends = np.array([pieces[0].start, pieces[-1].end])
+    return bool(np.linalg.norm(ends - point, axis=1).min() <= GAP)
+
+
+def _turned(pieces: list[_Piece]) -> list[_Piece]:
+    return [p.reversed() for p in reversed(pieces)]
+
+
+def _pieces(edge: Any, sag: float) -> list[_Piece]:
+    """Return `edge` as pieces that are nowhere farther than `sag` from their chord."""
+    kind = edge.Curve.TypeId
+    t0, t1 = edge.ParameterRange
+    if kind == "Part::GeomLine":
+        return [_piece(edge, t0, t1)]
+    if kind == "Part::GeomCircle":
+        step = min(2 * np.arccos(max(0.0, 1 - sag / edge.Curve.Radius)), _LARGEST_TURN)
+        ts = np.linspace(t0, t1, max(1, int(np.ceil((t1 - t0) / step))) + 1)
+        return [_piece(edge, a, b) for a, b in pairwise(ts)]
+    ts = {t0, t1, *np.linspace(t0, t1, 9)}
+    if hasattr(edge.Curve, "getKnots"):
+        ts |= {t for t in edge.Curve.getKnots() if t0 < t < t1}
+    ordered = sorted(ts)
+    result: list[_Piece] = []
+    for a, b in pairwise(ordered):
+        if b - a > 1e-9 * (t1 - t0):
+            result += _halved(edge, a, b, sag, _DEEPEST)
+    return result
+
+
+def _halved(edge: Any, a: float, b: float, sag: float, depth: int) -> list[_Piece]:
+    piece = _piece(edge, a, b)
+    if depth == 0 or (_sag(edge, piece, a, b) <= sag and _turn(piece) <= _LARGEST_TURN):
+        return [piece]
+    middle = (a + b) / 2
+    return _halved(edge, a, middle, sag, depth - 1) + _halved(edge, middle, b, sag, depth - 1)
+
+
+def _piece(edge: Any, a: float, b: float) -> _Piece:
+    inset = (b - a) * _INSET
+    return _Piece(
+        start=_xy(edge.valueAt(a)),
+        end=_xy(edge.valueAt(b)),
+        heading=_xy(edge.tangentAt(a + inset)),
+        arrival=_xy(edge.tangentAt(b - inset)),
+        middle=_xy(edge.valueAt((a + b) / 2)),
+    )
+
+
+def _xy(vector: Any) -> Floats:
+    return np.array([vector.x, vector.y])
+
+
+def _cross(a: Floats, b: Floats) -> float:
+    return float(a[0] * b[1] - a[1] * b[0])
+
+
+def _sag(edge: Any, piece: _Piece, a: float, b: float) -> float:
+    """Return how far the edge is from the piece's chord, at a few points."""
+    chord = piece.end - piece.start
+    length = np.linalg.norm(chord)
+    offsets = [_xy(edge.valueAt(a + (b - a) * f)) - piece.start for f in (0.25, 0.5, 0.75)]
+    if length == 0:
+        return max(float(np.linalg.norm(o)) for o in offsets)
+    return max(abs(_cross(chord, o)) for o in offsets) / float(length)
+
+
+def _turn(piece: _Piece) -> float:
+    """Return the angle between the tangents at both ends [rad]."""
+    return abs(np.arctan2(_cross(piece.heading, piece.arrival), piece.heading @ piece.arrival))
+
+
+def _bulge(piece: _Piece) -> list[Floats]:
+    """Return the point that keeps the ring out of a wall bulging to the left, if there is one.
+
+    That is where the tangents at both ends meet.
+    """
+    chord = piece.end - piece.start
+    if _cross(chord, piece.middle - piece.start) <= 0:
+        return []
+    turn = _cross(piece.heading, piece.arrival)
+    if abs(turn) < 1e-12:
+        return []
+    along = _cross(chord, piece.arrival) / turn
+    if along <= 0:
+        return []
+    return [piece.start + along * piece.heading]

@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The CAM operation: from a change in the document to a new path, or to none and the reason.
+
+FreeCAD's own base class keeps the old path when an operation fails, and posts
+it. Here every recompute starts by clearing the path; whatever goes wrong leaves
+it empty but for a comment. Errors are kept on the proxy for whoever started the
+recompute (`errors`, never saved), logged, and shown in the property `Notices`.
+
+Nothing here needs shapely or scipy until a path is computed, so that documents
+open where they are missing. FreeCAD does not call ``__init__`` when it restores
+a document: what the proxy holds has its initial value in the class.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
+from typing import Any
+
+import FreeCAD
+import Part
+import Path
+
+from ..engine.dependencies import require_libraries
+from ..engine.errors import CancelledError, SetupError, SpiralPocketError
+from ..engine.model import Notice, Plan, Progress
+from . import commands, properties, results, selection
+from .compat import PathLog, PathOp, PathSetupSheet, parent_job, tool_shape
+
+#: The name under which the setup sheet keeps presets; also that of new operations.
+NAME = "SpiralPocket"
+
+#: Tools that cut with their side and have a flat end.
+FLAT_TOOLS = ("endmill", "slittingsaw")
+#: Tools that cut with their side, but leave ridges on the floor.
+ROUND_TOOLS = ("ballend", "bullnose", "torus", "taperedballnose")
+#: Tools that cannot clear a pocket at all.
+UNSUITABLE_TOOLS = (
+    "chamfer",
+    "dovetail",
+    "drill",
+    "fillet",
+    "probe",
+    "radius",
+    "reamer",
+    "tap",
+    "threadmill",
+    "vbit",
+)
+
+
+class ObjectSpiralPocket(PathOp.ObjectOp):
+    """Proxy of the operation.
+
+    Attributes
+    ----------
+    errors : list of SpiralPocketError
+        Of the last recompute; transient.
+    plans : list of Plan
+        Of the last recompute, one for each pocket that was cut; transient.
+    progress_factory : callable or None
+        ``progress_factory(label)`` returns a context manager that yields a `Progress`.
+    view_factory : callable or None
+        ``view_factory(obj)`` gives a new operation its view. Like `progress_factory` it is set
+        on the class by the graphical side, if there is one.
+    """
+
+    progress_factory: Callable[[str], AbstractContextManager[Progress | None]] | None = None
+    view_factory: Callable[[Any], None] | None = None
+    errors: list[SpiralPocketError] | tuple[()] = ()
+    plans: list[Plan] | tuple[()] = ()
+    _earlier: list[Plan] | tuple[()] = ()
+
+    def opFeatures(self, obj: Any) -> int:  # noqa: N802
+        """Return which of the base class' properties and pages there are."""
+        return (
+            PathOp.FeatureTool
+            | PathOp.FeatureDepths
+            | PathOp.FeatureHeights
+            | PathOp.FeatureStepDown
+            | PathOp.FeatureFinishDepth
+            | PathOp.FeatureBaseFaces
+            | PathOp.FeatureCoolant
+        )
+
+    def initOperation(self, obj: Any) -> None:  # noqa: N802
+        """Add the properties; `obj` may be the setup sheet's prototype."""
+        properties.create(obj)
+
+    def opSetDefaultValues(self, obj: Any, job: Any) -> None:  # noqa: N802
+        """Set the defaults; presets of the setup sheet follow."""
+        properties.set_defaults(obj)
+
+    def opOnDocumentRestored(self, obj: Any) -> None:  # noqa: N802
+        """Bring documents of older releases up to date."""
+        properties.migrate(obj)
+
+    @classmethod
+    def opPropertyEnumerations(cls, dataType: str = "data") -> Any:  # noqa: N802, N803
+        """Return the choices of all enumerations, as the base class does."""
+        inherited = PathOp.ObjectOp.opPropertyEnumerations(dataType)
+        translate = FreeCAD.Qt.translate
+        pairs = {
+            name: [(translate("SpiralPocket", choice), choice) for choice in choices]
+            for name, choices in properties.choices().items()
+        }
+        if dataType == "raw":
+            return {**inherited, **pairs}
+        index = 0 if dataType == "translated" else 1
+        return [*inherited, *((name, [p[index] for p in own]) for name, own in pairs.items())]
+
+    def isToolSupported(self, obj: Any, tool: Any) -> bool:  # noqa: N802
+        """Return whether `tool` can clear a pocket."""
+        return tool_shape(tool) not in UNSUITABLE_TOOLS
+
+    def opRejectAddBase(self, obj: Any, base: Any, sub: str) -> bool:  # noqa: N802
+        """Refuse edges, vertices and whole bodies."""
+        return not sub.startswith("Face")
+
+    def sanitizeBase(self, obj: Any) -> bool:  # noqa: N802
+        """Leave faces that are gone in the list: each is an error of its own when cutting.
+
+        The base class would forget all faces when one is gone, and fails on 1.0 and later.
+        """
+        return False
+
+    def updateDepths(self, obj: Any, ignoreErrors: bool = False) -> bool:  # noqa: N802, N803
+        """Derive the depths from the stock and the deepest floor.
+
+        The base class takes the highest floor, and fails on a face that is gone.
+        """
+        if not self._setBaseAndStock(obj, ignoreErrors):
+            return False
+        stock = self.stock.Shape.BoundBox
+        heights = selection.heights(obj.Base)
+        floor = min(heights, default=stock.ZMin)
+        top = max([stock.ZMax, *heights])
+        values = {
+            "OpStockZMin": stock.ZMin,
+            "OpStockZMax": stock.ZMax,
+            "OpFinalDepth": floor,
+            "OpStartDepth": top if top > floor else floor + 1.0,
+        }
+        properties.set_results(obj, values)
+        return True
+
+    def execute(self, obj: Any) -> None:
+        """Make the path anew.
+
+        Overrides the base class, which returns early with the old path in place when there is
+        no job or no tool, and keeps it when `opExecute` raises.
+        """
+        self.errors, self.plans, self._earlier = [], [], self.plans
+        obj.Path = Path.Path()
+        obj.SpiralCurve = Part.Shape()
+        properties.clear_results(obj)
+        try:
+            if obj.Active:
+                self._check_setup(obj)
+            super().execute(obj)
+        except SpiralPocketError as error:
+            self._fail(obj, error)
+        results.set_cycle_time(obj, self.plans)
+        for error in self.errors:
+            log = PathLog.info if isinstance(error, CancelledError) else PathLog.error
+            log(f"{obj.Label}: {error}\n")
+
+    def opExecute(self, obj: Any) -> None:  # noqa: N802
+        """Plan every pocket; the base class puts `commandlist` into the path."""
+        require_libraries()
+        from .pockets import Pockets  # needs shapely
+
+        pockets = Pockets(obj, self._earlier)
+        factory = type(self).progress_factory
+        with factory(obj.Label) if factory else nullcontext() as progress:
+            pockets.plan(progress)
+        self.plans, self.errors = pockets.plans, pockets.errors
+        if not self.plans:
+            raise self.errors[0]
+        self.commandlist += commands.without_last_lift(pockets.commands())
+        results.write(obj, self.plans, [*self._tool_notices(obj), *pockets.notices()])
+
+    def _check_setup(self, obj: Any) -> None:
+        """Raise where the base class would return without a path."""
+        job = parent_job(obj)
+        if job is None:
+            raise SetupError(f"{obj.Label} is not in a job.", "Drag it into the job's operations.")
+        if not job.Model.Group:
+            raise SetupError(f"{job.Label} has no model.", "Add the part to the job's model.")
+        tool_controller = obj.ToolController
+        if tool_controller is None or tool_controller.ToolNumber == 0:
+            raise SetupError(
+                f"{obj.Label} has no tool controller.", "Choose one with an end mill in it."
+            )
+        tool = tool_controller.Proxy.getTool(tool_controller)
+        if not tool or float(tool.Diameter) <= 0:
+            raise SetupError(
+                f"{tool_controller.Label} has no tool, or one without a diameter.",
+                "Put an end mill into the tool controller.",
+            )
+        if not self.isToolSupported(obj, tool):
+            raise SetupError(
+                f"{tool.Label} is not an end mill; it cannot clear a pocket.",
+                "Choose a tool controller with an end mill in it.",
+            )
+
+    def _tool_notices(self, obj: Any) -> list[Notice]:
+        tool = obj.ToolController.Proxy.getTool(obj.ToolController)
+        if tool_shape(tool) not in ROUND_TOOLS:
+            return []
+        return [
+            Notice(
+                f"{tool.Label} is not flat at its end and leaves ridges on the floor.",
+                "Use a flat end mill, or finish the floor with one.",
+            )
+        ]
+
+    def _fail(self, obj: Any, error: SpiralPocketError) -> None:
+        """Leave no path but a comment, and say why."""
+        if not self.errors:
+            self.errors = [error]
+        obj.Path = Path.Path([commands.comment(f"{obj.Label}: no path. {error.message}")])
+        properties.set_results(obj, {"Notices": [str(e) for e in self.errors]})
+
+    def dumps(self) -> None:
+        """Save nothing (1.0 and later)."""
+
+    def loads(self, state: Any) -> None:
+        """Restore nothing (1.0 and later)."""
+
+    def __getstate__(self) -> None:
+        """Save nothing (0.20)."""
+
+    def __setstate__(self, state: Any) -> None:
+        """Restore nothing (0.20)."""
+
+
+def SetupProperties() -> list[str]:  # noqa: N802 - the name FreeCAD calls
+    """Return the names of the properties that a preset of the setup sheet may hold."""
+    return properties.option_names()
+
+
+def Create(name: str, obj: Any = None, parentJob: Any = None) -> Any:  # noqa: N802, N803
+    """Create the operation in `parentJob`, or in the only job of the active document.
+
+    Nothing is left in the document if that fails.
+    """
+    document = parentJob.Document if parentJob else FreeCAD.ActiveDocument
+    made = obj is None
+    if made:
+        obj = document.addObject("Path::FeaturePython", name)
+    try:
+        obj.Proxy = ObjectSpiralPocket(obj, name, parentJob)
+    except BaseException:
+        if made:
+            document.removeObject(obj.Name)
+        raise
+    return obj
+
+
+PathSetupSheet.RegisterOperation(NAME, Create, SetupProperties)

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the operation's properties to the engine's request, one for each pocket.
+
+FreeCAD has one `FinalDepth` for an operation, pockets may have floors at several
+heights. It holds for the deepest floors; a floor that is higher is cut to its
+own height and never below, so that `FinalDepth` can also stop all pockets early.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..engine.model import CutMode, Cutting, Entry, Feeds, Heights, PocketRequest, Strategy
+from .selection import SAME_HEIGHT
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+#: Feed for planning where the tool controller has none [mm/s]; it never reaches the path.
+STAND_IN_FEED = 10.0
+
+
+def has_feeds(tool_controller: Any) -> bool:
+    """Return whether the tool controller says how fast to cut."""
+    return tool_controller.HorizFeed.Value > 0 and tool_controller.VertFeed.Value > 0
+
+
+def feeds(tool_controller: Any) -> Feeds:
+    """Return the tool controller's feeds [mm/s].
+
+    A rapid rate of 0, FreeCAD's default, is taken as the feed, as FreeCAD does for its
+    cycle time.
+    """
+    if not has_feeds(tool_controller):
+        return Feeds(STAND_IN_FEED, STAND_IN_FEED, STAND_IN_FEED, STAND_IN_FEED)
+    horizontal, vertical = tool_controller.HorizFeed.Value, tool_controller.VertFeed.Value
+    return Feeds(
+        horizontal=horizontal,
+        vertical=vertical,
+        horizontal_rapid=tool_controller.HorizRapid.Value or horizontal,
+        vertical_rapid=tool_controller.VertRapid.Value or vertical,
+    )
+
+
+def final_depth(obj: Any, z: float, deepest: float) -> float:
+    """Return how deep the pocket with its floor at `z` is cut, the deepest floor being given."""
+    asked = obj.FinalDepth.Value
+    return asked if z <= deepest + SAME_HEIGHT else max(asked, z)
+
+
+def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
+    """Return the request for one pocket that is cut to `depth` with the operation `obj`."""
+    diameter = obj.OpToolDiameter.Value
+    return PocketRequest(
+        pocket=pocket,
+        tool_diameter=diameter,
+        heights=Heights(
+            clearance=obj.ClearanceHeight.Value,
+            safe=obj.SafeHeight.Value,
+            start_depth=obj.StartDepth.Value,
+            final_depth=depth,
+            step_down=obj.StepDown.Value,
+            finish_depth=obj.FinishDepth.Value,
+        ),
+        feeds=feeds(obj.ToolController),
+        cutting=Cutting(
+            stepover=obj.StepOver / 100 * diameter,
+            cut_mode=CutMode(obj.CutMode),
+            stock_to_leave=obj.StockToLeave.Value,
+            floor_stock=obj.ZStockToLeave.Value,
+            finishing_lap=obj.FinishingProfile,
+        ),
+        entry=Entry(
+            helix_angle=float(np.radians(obj.HelixAngle.Value)),
+            max_diameter=obj.HelixDiameterLimit.Value,
+        ),
+        strategy=Strategy(obj.Strategy),
+        tolerance=obj.Tolerance.Value,
+    )

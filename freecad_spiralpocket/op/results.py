@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What was measured on the plans, written into the operation's properties.
+
+The exact curve behind each spiral becomes a B-spline edge at the floor of its
+pocket, pole by pole and knot by knot, so that it can be measured, used in
+sketches and exported to STEP.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import FreeCAD
+import numpy as np
+import Part
+
+from ..engine.model import Notice, Plan, SplineCurve
+from . import properties, request
+from .compat import parent_job
+
+
+def write(obj: Any, plans: Sequence[Plan], notices: Sequence[Notice]) -> None:
+    """Write the figures of all pockets together into the result properties of `obj`."""
+    reports = [p.report for p in plans]
+    timed = request.has_feeds(obj.ToolController)
+    properties.set_results(
+        obj,
+        {
+            "LargestEngagement": float(np.degrees(max(r.engagement_max for r in reports))),
+            "UncutArea": sum(r.uncut_area for r in reports),
+            "Gouge": max(r.gouge for r in reports),
+            "PathLength": sum(r.cut_length for r in reports),
+            "MachiningTime": machining_time(plans) if timed else 0.0,
+            "Notices": [str(n) for n in notices],
+        },
+    )
+    obj.SpiralCurve = curves_shape(plans)
+
+
+def machining_time(plans: Sequence[Plan]) -> float:
+    """Return the time of all pockets and the rapids between them [s]."""
+    time = sum(p.report.time for p in plans)
+    for before, after in pairwise(plans):
+        way = after.toolpath.start[:2] - before.toolpath.points[-1, :2]
+        time += float(np.hypot(*way)) / after.request.feeds.horizontal_rapid
+    return time
+
+
+def set_cycle_time(obj: Any, plans: Sequence[Plan]) -> None:
+    """Replace FreeCAD's estimate, which knows one feed only and no helices."""
+    if not plans:
+        obj.CycleTime = "00:00:00"
+    elif request.has_feeds(obj.ToolController):
+        minutes, seconds = divmod(round(machining_time(plans)), 60)
+        obj.CycleTime = f"{minutes // 60:02d}:{minutes % 60:02d}:{seconds:02d}"
+    job = parent_job(obj)
+    if job is not None:
+        job.Proxy.getCycleTime()
+
+
+def curves_shape(plans: Sequence[Plan]) -> Any:
+    """Return the exact curves of all plans as one shape, empty if there are none."""
+    edges = []
+    for plan in plans:
+        z = plan.request.heights.final_depth + plan.request.cutting.floor_stock
+        edges += [edge(curve, z) for curve in plan.curves]
+    return Part.Compound(edges) if edges else Part.Shape()
+
+
+def edge(curve: SplineCurve, z: float) -> Any:
+    """Return `curve` as an edge at height `z` [mm]."""
+    knots, multiplicities = np.unique(curve.knots, return_counts=True)
+    spline = Part.BSplineCurve()
+    spline.buildFromPolesMultsKnots(
+        [FreeCAD.Vector(x, y, z) for x, y in curve.control_points.tolist()],
+        multiplicities.tolist(),
+        knots.tolist(),
+        False,
+        curve.degree,
+    )
+    return spline.toShape()

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From what the user selected to floors of pockets, or a sentence that says why not.
+
+A floor is a flat, level face of a solid that looks up and has a wall rising from
+its outline. Whether a wall rises or falls from an edge shows in the outward normal
+of the face on the edge's other side: it leans over the floor where the wall rises
+and away from it where the wall falls. At a fillet both are tangent, so there the
+height of the fillet's face decides. Bounding boxes alone would be wrong: an
+L-shaped side face of a boss is higher than the floor around it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import FreeCAD
+import Part
+
+from ..engine.errors import SelectionError
+from .compat import STALE_ELEMENT_ERRORS
+
+#: A floor may be out of level by this much [rad]: drawings are exact, IGES files are not.
+LEVEL_TOLERANCE = 1e-4
+#: Heights closer than this are the same [mm].
+SAME_HEIGHT = 1e-4
+#: Smaller parts of a normal are taken as tangent.
+_TANGENT = 1e-3
+#: Step from an edge into the floor [mm].
+_ASIDE = 1e-3
+
+_PICK_A_FLOOR = "Select the floor of the pocket, a flat level face with walls around it."
+
+
+@dataclass(frozen=True)
+class Floor:
+    """The floor of a pocket.
+
+    Attributes
+    ----------
+    model : object
+        FreeCAD's document object, as the operation refers to it.
+    name : str
+        Of the face, such as "Face12".
+    face, solid : Part.Face, Part.Solid
+    z : float
+        Height of the floor [mm].
+    open_edges : int
+        How many edges of the outline have no wall.
+    """
+
+    model: Any
+    name: str
+    face: Any
+    solid: Any
+    z: float
+    open_edges: int
+
+    @property
+    def label(self) -> str:
+        """Return what the user calls it, such as "Rib, Face12"."""
+        return label(self.model, self.name)
+
+
+def label(model: Any, name: str) -> str:
+    """Return what the user calls a face."""
+    return f"{model.Label}, {name.lstrip('?')}"
+
+
+def selected(base: list[tuple[Any, Any]]) -> list[tuple[Any, str]]:
+    """Return the pairs of model and element name in FreeCAD's list `base`, each once.
+
+    Raises
+    ------
+    SelectionError
+        If there are none.
+    """
+    pairs: dict[tuple[str, str], tuple[Any, str]] = {}
+    for model, names in base or []:
+        for name in [names] if isinstance(names, str) else names:
+            if name:
+                pairs.setdefault((model.Name, name), (model, name))
+    if not pairs:
+        raise SelectionError("No face is selected.", _PICK_A_FLOOR)
+    return list(pairs.values())
+
+
+def floor(model: Any, name: str) -> Floor:
+    """Return the floor that the face `name` of `model` is.
+
+    Raises
+    ------
+    SelectionError
+        If it is no face, not there, or not the floor of a pocket in a closed solid.
+    """
+    face = _element(model, name)
+    where = label(model, name)
+    if face.ShapeType != "Face":
+        raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
+    _check_level(face, where)
+    solid = _solid_of(model.Shape, face, where)
+    edges = face.OuterWire.Edges
+    walled = sum(wall_rises(solid, face, e) for e in edges)
+    if not walled:
+        raise SelectionError(
+            f"{where} is not the floor of a pocket: no wall rises from it.", _PICK_A_FLOOR
+        )
+    return Floor(model, name, face, solid, face.BoundBox.ZMin, len(edges) - walled)
+
+
+def heights(base: list[tuple[Any, Any]]) -> list[float]:
+    """Return the heights of the level faces in FreeCAD's list `base` [mm], passing over the rest."""
+    result = []
+    for model, names in base or []:
+        for name in [names] if isinstance(names, str) else names:
+            try:
+                box = model.Shape.getElement(name).BoundBox
+            except STALE_ELEMENT_ERRORS:
+                continue
+            if box.ZLength < SAME_HEIGHT:
+                result.append(box.ZMin)
+    return result
+
+
+def _element(model: Any, name: str) -> Any:
+    """Return the sub-shape `name`, which FreeCAD marks with "?" when it lost it."""
+    try:
+        return model.Shape.getElement(name)
+    except STALE_ELEMENT_ERRORS as error:
+        raise SelectionError(
+            f"{label(model, name)} is not there any more: the model has changed.",
+            "Remove it from the base geometry and select the floor of the pocket again.",
+        ) from error
+
+
+def _check_level(face: Any, where: str) -> None:
+    normal = _normal_of_plane(face)
+    if normal is None:
+        raise SelectionError(f"{where} is not flat.", _PICK_A_FLOOR)
+    if abs(normal.z) < LEVEL_TOLERANCE:
+        raise SelectionError(f"{where} is vertical: it is a wall, not a floor.", _PICK_A_FLOOR)
+    if abs(normal.z) < 1 - LEVEL_TOLERANCE**2 / 2:
+        raise SelectionError(f"{where} is not level.", _PICK_A_FLOOR)
+    if normal.z < 0:
+        raise SelectionError(
+            f"{where} looks down.", "Select the floor of the pocket, or turn the part over."
+        )
+
+
+def _normal_of_plane(face: Any) -> Any:
+    """Return the outward normal of a flat face, None for a curved one."""
+    if not isinstance(face.Surface, Part.Plane) and face.findPlane() is None:
+        return None
+    u0, u1, v0, v1 = face.ParameterRange
+    return face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
+
+
+def _solid_of(shape: Any, face: Any, where: str) -> Any:
+    """Return the closed solid that `face` bounds."""
+    owners = [s for s in shape.Solids if any(face.isSame(f) for f in s.Faces)]
+    if not owners or not all(shell.isClosed() for shell in owners[0].Shells):
+        raise SelectionError(
+            f"The part with {where} is an open shell, not a closed solid.",
+            "Close it first (Part workbench, Check Geometry and Convert to Solid).",
+        )
+    return owners[0]
+
+
+def wall_rises(solid: Any, face: Any, edge: Any) -> bool:
+    """Return whether material rises from `edge` of the level face `face`."""
+    neighbor = next((f for f in solid.ancestorsOfType(edge, Part.Face) if not f.isSame(face)), None)
+    if neighbor is None:
+        return False
+    t0, t1 = edge.ParameterRange
+    t = (t0 + t1) / 2
+    point = edge.valueAt(t)
+    inward = FreeCAD.Vector(0, 0, 1).cross(edge.tangentAt(t))
+    if inward.Length < _TANGENT:
+        return neighbor.BoundBox.ZMax > face.BoundBox.ZMin + SAME_HEIGHT
+    inward.normalize()
+    if not face.isInside(point + inward * _ASIDE, _ASIDE / 10, True):
+        inward = inward * -1
+    lean = neighbor.normalAt(*neighbor.Surface.parameter(point)).dot(inward)
+    if abs(lean) > _TANGENT:
+        return lean > 0
+    return neighbor.BoundBox.ZMax > face.BoundBox.ZMin + SAME_HEIGHT
+
+
+def find_floors(model: Any) -> Iterator[Floor]:
+    """Yield every face of `model` that is the floor of a pocket, walled all around."""
+    for number in range(1, len(model.Shape.Faces) + 1):
+        try:
+            found = floor(model, f"Face{number}")
+        except SelectionError:
+            continue
+        if not found.open_edges:
+            yield found
