@@ -246,9 +246,16 @@ class Report:
         [s], every move at its own feed.
     cut_length : float
         Of all moves at cutting feed below the start depth [mm].
-    engagement_limit, engagement_max, engagement_mean : float
-        Engagement angle [rad]: what was asked; largest and mean (over the length) at the floors
-        after the entry.
+    engagement_limit, engagement_max, engagement_p99, engagement_mean : float
+        Engagement angle [rad]: what was asked; largest, not passed over 99 % of the length, and
+        mean over the length, at the floors after the entry.
+    over_limit_share : float
+        Share of that length where the engagement clearly passes the limit, in [0, 1].
+    chip_load_p99 : float
+        Chip load not passed over 99 % of that length, over that of a straight cut at the
+        step-over and the horizontal feed.
+    rapid_hit, link_hit : float
+        Length of rapids and of links through standing stock [mm]; 0 as it should be.
     engagement_points : ndarray of shape (k, 3)
         Where the engagement was measured [mm], in the order of travel.
     engagement_angles : ndarray of shape (k,)
@@ -264,7 +271,12 @@ class Report:
     cut_length: float
     engagement_limit: float
     engagement_max: float
+    engagement_p99: float
     engagement_mean: float
+    over_limit_share: float
+    chip_load_p99: float
+    rapid_hit: float
+    link_hit: float
     engagement_points: Floats
     engagement_angles: Floats
     uncut: MultiPolygon
