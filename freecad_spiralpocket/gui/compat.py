@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every difference between the windows of FreeCAD 0.20, 1.0 and 1.1 that the panel meets.
+
+The workbench "Path" of 0.20 (modules ``PathScripts.Path*``) is "CAM" since 1.0
+(package ``Path``). Importing this module loads CAM's panel code, so `startup`
+and `command` do without it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide import QtGui
+from PathScripts import PathUtils
+
+from ..op.compat import IS_LEGACY, PathOp
+
+if IS_LEGACY:
+    from PathScripts import PathGui as PathGuiUtil
+    from PathScripts import PathOpGui, PathSelection
+else:
+    import Path.Base.Gui.Util as PathGuiUtil
+    import Path.Op.Gui.Base as PathOpGui
+    import Path.Op.Gui.Selection as PathSelection
+
+__all__ = [
+    "INACTIVE_ICON",
+    "NO_TOOL_CONTROLLER_ERRORS",
+    "PathGuiUtil",
+    "PathOpGui",
+    "PathSelection",
+    "PathUtils",
+    "check_box_signal",
+    "has_tool_controller_editor",
+    "run_dialog",
+    "show_value",
+]
+
+#: FreeCAD's icon for an operation that is switched off.
+INACTIVE_ICON = ":/icons/Path_OpActive.svg" if IS_LEGACY else ":/icons/CAM_OpActive.svg"
+
+#: What making an operation raises when the job has no tool controller, or none was chosen.
+NO_TOOL_CONTROLLER_ERRORS = (PathUtils.PathNoTCExistsException, PathOp.PathNoTCException)
+
+
+def show_value(spin_box: Any) -> None:
+    """Make a bound ``QuantitySpinBox`` show the value or expression of its property."""
+    update = getattr(spin_box, "updateWidget", None) or spin_box.updateSpinBox
+    update()
+
+
+def check_box_signal(box: Any) -> Any:
+    """Return the signal of a check box whose state changed (renamed in Qt 6.7)."""
+    return box.checkStateChanged if hasattr(box, "checkStateChanged") else box.stateChanged
+
+
+def has_tool_controller_editor() -> bool:
+    """Return whether the panel can unfold the tool controller's own editor (1.1 and later)."""
+    return hasattr(PathOpGui.TaskPanelPage, "updateToolControllerEditorVisibility")
+
+
+def run_dialog(dialog: QtGui.QDialog) -> int:
+    """Show a modal dialog and return its result (``exec`` is a keyword's ghost in Qt 5)."""
+    run = getattr(dialog, "exec", None) or dialog.exec_
+    return run()

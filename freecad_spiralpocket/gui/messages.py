@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Shows an error as the machinist reads it: what is the matter, and the way out."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from ..engine.errors import SpiralPocketError
+from .compat import run_dialog
+
+translate = FreeCAD.Qt.translate
+
+
+def show(*errors: SpiralPocketError) -> None:
+    """Show one box for all `errors` and wait until it is closed."""
+    box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
+    box.setObjectName("SpiralPocketMessage")
+    box.setIcon(QtGui.QMessageBox.Warning)
+    box.setWindowTitle(translate("SpiralPocket", "Spiral Pocket"))
+    box.setText("\n\n".join(error.message for error in errors))
+    box.setInformativeText("\n".join(dict.fromkeys(e.hint for e in errors if e.hint)))
+    box.setStandardButtons(QtGui.QMessageBox.Ok)
+    run_dialog(box)

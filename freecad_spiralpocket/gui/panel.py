@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page "Operation" of the task panel; FreeCAD supplies the other pages.
+
+Changing a field writes its property and computes nothing: that is for Apply
+and OK. Order and wording follow FreeCAD 1.1's pages of Adaptive and Pocket.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCADGui
+
+from .compat import PathOpGui, has_tool_controller_editor
+from .fields import Check, Choice, Field, Percent, Quantity
+from .resulttext import result_text
+from .startup import RESOURCES
+
+FORM = RESOURCES / "panels" / "SpiralPocket.ui"
+
+#: Widget, property and kind of field, in the order of the page.
+FIELDS = (
+    ("strategy", "Strategy", Choice),
+    ("stepOverPercent", "StepOver", Percent),
+    ("cutMode", "CutMode", Choice),
+    ("stockToLeave", "StockToLeave", Quantity),
+    ("zStockToLeave", "ZStockToLeave", Quantity),
+    ("helixAngle", "HelixAngle", Quantity),
+    ("helixDiameterLimit", "HelixDiameterLimit", Quantity),
+    ("tolerance", "Tolerance", Quantity),
+    ("finishingProfile", "FinishingProfile", Check),
+    ("useOutline", "UseOutline", Check),
+)
+
+
+class OperationPage(PathOpGui.TaskPanelPage):
+    """The operation's own page; FreeCAD calls its methods."""
+
+    def getForm(self) -> Any:  # noqa: N802 - the name FreeCAD calls
+        """Return the page's widgets."""
+        form = FreeCADGui.PySideUic.loadUi(str(FORM))
+        if not has_tool_controller_editor():
+            form.editToolController.hide()
+        return form
+
+    def initPage(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Tie the widgets to the properties."""
+        self.fields: list[Field] = [
+            kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS
+        ]
+
+    def getSignalsForUpdate(self, obj: Any) -> list[Any]:  # noqa: ARG002, N802
+        """Return the signals on which the fields are written."""
+        own = [self.form.toolController, self.form.coolantController]
+        signals = [box.currentIndexChanged for box in own]
+        return signals + [signal for field in self.fields for signal in field.signals()]
+
+    def getFields(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Write all fields to the properties."""
+        self.updateToolController(obj, self.form.toolController)
+        self.updateCoolant(obj, self.form.coolantController)
+        for field in self.fields:
+            field.write()
+        self.form.result.setEnabled(False)  # out of date until the next recompute
+
+    def setFields(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Show all properties."""
+        self.setupToolController(obj, self.form.toolController)
+        self.setupCoolant(obj, self.form.coolantController)
+        for field in self.fields:
+            field.show()
+        self.show_result()
+
+    def show_result(self) -> None:
+        """Show what the last recompute brought."""
+        self.form.result.setText(result_text(self.obj))
+        self.form.result.setEnabled(True)

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Progress with a Stop button while a path is computed.
+
+A recompute blocks FreeCAD's window. The dialog lets it draw and listens to
+Stop, and as it is modal to the whole application nothing else can be clicked:
+a document closed in the middle of a recompute would crash FreeCAD. The document
+is not touched here. The dialog appears only for work that takes longer.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from ..engine.model import Progress
+from ..op.operation import ObjectSpiralPocket
+
+translate = FreeCAD.Qt.translate
+
+SHOW_AFTER = 500  # ms
+UPDATE_EVERY = 0.05  # s, at most this often the window is drawn
+STEPS = 1000
+
+
+def install() -> None:
+    """Give every spiral pocket this dialog."""
+    ObjectSpiralPocket.progress_factory = staticmethod(progress_dialog)
+
+
+@contextmanager
+def progress_dialog(label: str) -> Iterator[Progress]:
+    """Yield the callback that shows how far `label` is and tells whether to stop."""
+    dialog = QtGui.QProgressDialog(
+        label, translate("SpiralPocket", "Stop"), 0, STEPS, FreeCADGui.getMainWindow()
+    )
+    dialog.setObjectName("SpiralPocketProgress")
+    dialog.setWindowTitle(translate("SpiralPocket", "Spiral Pocket"))
+    dialog.setWindowModality(QtCore.Qt.ApplicationModal)
+    dialog.setAutoClose(False)
+    dialog.setAutoReset(False)
+    dialog.setMinimumDuration(SHOW_AFTER)
+    dialog.setValue(0)  # starts the clock
+    next_update = 0.0
+
+    def report(fraction: float, stage: str) -> bool:
+        nonlocal next_update
+        if time.monotonic() >= next_update:
+            dialog.setValue(int(STEPS * min(1.0, max(0.0, fraction))))
+            if dialog.isVisible():  # and modal: nothing but Stop can happen here
+                dialog.setLabelText(f"{label}\n{stage}")
+                QtCore.QCoreApplication.processEvents()
+            next_update = time.monotonic() + UPDATE_EVERY
+        return dialog.wasCanceled()
+
+    try:
+        yield report
+    finally:
+        dialog.close()
+        dialog.deleteLater()

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The result of an operation in a few lines, as they stand in the panel."""
+
+from __future__ import annotations
+
+import math
+from html import escape
+from typing import Any
+
+import FreeCAD
+from FreeCAD import Units
+
+translate = FreeCAD.Qt.translate
+
+
+def result_text(obj: Any) -> str:
+    """Return time, length, engagement, what was left or gouged, and the notices, as rich text.
+
+    Without a path it is the reason, or what to do.
+    """
+    if obj.PathLength.Value <= 0:
+        reasons = obj.Notices or [translate("SpiralPocket", "Apply computes the path.")]
+        return "<br>".join(map(escape, reasons))
+    lines = [
+        translate("SpiralPocket", "Time {}, cutting length {}").format(
+            duration(obj.MachiningTime), obj.PathLength.UserString
+        ),
+        translate("SpiralPocket", "Largest engagement {:.0f}° of {:.0f}°").format(
+            obj.LargestEngagement.Value, engagement_limit(obj)
+        ),
+        translate("SpiralPocket", "Uncut {}, gouge {}").format(
+            Units.Quantity(obj.UncutArea, Units.Area).UserString, obj.Gouge.UserString
+        ),
+    ]
+    return "<br>".join([*map(escape, lines), *(f"<b>{escape(n)}</b>" for n in obj.Notices)])
+
+
+def engagement_limit(obj: Any) -> float:
+    """Return the engagement angle [deg] of a straight cut at the operation's step-over."""
+    return math.degrees(math.acos(1 - 2 * obj.StepOver / 100))
+
+
+def duration(seconds: float) -> str:
+    """Return e.g. ``1 h 02 min``, ``3 min 05 s``, ``12 s``."""
+    whole = round(seconds)
+    if whole >= 3600:
+        return f"{whole // 3600} h {whole // 60 % 60:02d} min"
+    if whole >= 60:
+        return f"{whole // 60} min {whole % 60:02d} s"
+    return f"{whole} s"

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What happens when FreeCAD's window opens: icons, translations, the command in CAM.
+
+FreeCAD starts slower with every add-on, so nothing here loads CAM, scipy or
+shapely. CAM is registered by now but not loaded: since 1.0 a manipulator adds
+the command to its toolbar and menu, on 0.20 we extend the workbench's own
+`Initialize`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import FreeCADGui
+
+from .command import COMMAND, CommandSpiralPocket
+
+RESOURCES = Path(__file__).resolve().parents[2] / "resources"
+
+TOOLBAR = "New Operations"
+#: The menu of 0.20 and, since 1.0, the item of CAM's menu that ours follows.
+LEGACY_WORKBENCH, LEGACY_MENU, NEIGHBOR = "PathWorkbench", "&Path", "CAM_Adaptive"
+
+
+class Manipulator:
+    """Adds the command to CAM's toolbar and menu (1.0 and later).
+
+    FreeCAD asks at every change of workbench; where a name is missing nothing is added.
+    """
+
+    def modifyToolBars(self) -> list[dict[str, str]]:  # noqa: N802 - the name FreeCAD calls
+        """Return what to add to the toolbars."""
+        return [{"append": COMMAND, "toolBar": TOOLBAR}]
+
+    def modifyMenuBar(self) -> list[dict[str, str]]:  # noqa: N802 - the name FreeCAD calls
+        """Return what to add to the menus."""
+        return [{"insert": COMMAND, "menuItem": NEIGHBOR, "after": ""}]
+
+
+def start() -> None:
+    """Make the command known to FreeCAD and put it where users look for it."""
+    FreeCADGui.addIconPath(str(RESOURCES / "icons"))
+    FreeCADGui.addLanguagePath(str(RESOURCES / "translations"))
+    FreeCADGui.updateLocale()
+    FreeCADGui.addCommand(COMMAND, CommandSpiralPocket())
+    if hasattr(FreeCADGui, "addWorkbenchManipulator"):
+        FreeCADGui.addWorkbenchManipulator(Manipulator())
+    else:
+        _extend_legacy_workbench()
+
+
+def _extend_legacy_workbench() -> None:
+    """Let the workbench of 0.20 append our command when it is first used."""
+    workbench = FreeCADGui.listWorkbenches().get(LEGACY_WORKBENCH)
+    if workbench is None:  # switched off or not installed
+        return
+    initialize = type(workbench).Initialize
+
+    def initialize_with_ours(self: Any) -> None:
+        initialize(self)
+        self.appendToolbar(TOOLBAR, [COMMAND])
+        self.appendMenu([LEGACY_MENU], [COMMAND])
+
+    type(workbench).Initialize = initialize_with_ours
