@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Do inside FreeCAD what ``python ARGUMENTS...`` does outside.
 
-FreeCAD runs this file as a script, in the console or in the window, where the
-arguments come as a JSON list in ``$SPIRALPOCKET_RUN``: ``["-m", "pytest", ...]``,
-``["-c", code]`` or ``[file, ...]``. Left to itself FreeCAD ends with 0 when a
+FreeCAD runs this file as a script, in the console or in the window; the
+arguments come in ``$SPIRALPOCKET_RUN``, each ended by the unit separator:
+``-m pytest ...``, ``-c code`` or ``file ...``. Left to itself FreeCAD ends with 0 when a
 script raises, and the console runs such a script twice; so this one never
 raises and always leaves the process itself, with the exit code Python would
 have given.
 """
 
-import json
 import os
 import runpy
 import sys
 import traceback
+from pathlib import Path
 
 import FreeCAD
 
@@ -21,16 +21,22 @@ WINDOW_DELAY = 1500  # ms from start-up to the run: the workbenches are loaded b
 
 
 def run(arguments):
-    """Run the program, with `sys.argv` as it expects it."""
-    if arguments[0] == "-c":
-        sys.argv = arguments
-        exec(compile(arguments[1], "<command>", "exec"), {"__name__": "__main__"})
-    elif arguments[0] == "-m":
+    """Run the program, with `sys.argv` as it expects it.
+
+    FreeCAD's own `__main__` stays what it is: the commands of its menus run there.
+    """
+    if arguments[0] == "-m":
         sys.argv = arguments[1:]
-        runpy.run_module(arguments[1], run_name="__main__", alter_sys=True)
+        runpy.run_module(arguments[1], run_name="__main__")
+        return
+    sys.argv = arguments
+    if arguments[0] == "-c":
+        name, source = "<command>", arguments[1]
     else:
-        sys.argv = arguments
-        runpy.run_path(arguments[0], run_name="__main__")
+        name = arguments[0]
+        source = Path(name).read_text(encoding="utf-8")
+        sys.path.insert(0, str(Path(name).parent))
+    exec(compile(source, name, "exec"), {"__name__": "__main__", "__file__": name})
 
 
 def exit_code(arguments):
@@ -49,10 +55,12 @@ def exit_code(arguments):
 
 def run_and_leave():
     """Run what ``$SPIRALPOCKET_RUN`` holds and end FreeCAD."""
+    if "SPIRALPOCKET_STDOUT" in os.environ:  # where the output goes without FreeCAD's banner
+        os.dup2(int(os.environ["SPIRALPOCKET_STDOUT"]), 1)
     if FreeCAD.GuiUp:  # whose standard streams lead to the report view
         sys.stdout = os.fdopen(os.dup(1), "w", buffering=1)
         sys.stderr = os.fdopen(os.dup(2), "w", buffering=1)
-    code = exit_code(json.loads(os.environ["SPIRALPOCKET_RUN"], strict=False))
+    code = exit_code(os.environ["SPIRALPOCKET_RUN"].split("\x1f")[:-1])
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(code)
