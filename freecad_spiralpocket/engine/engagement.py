@@ -4,66 +4,39 @@
 At every sample the rim of the cutter is compared with all earlier motion, also of
 the same lap and the cutter's own trail: what no earlier piece has cleared, on the
 half of the rim that leads, is engaged. Exact for lines and arcs (`rim`); only the
-places of measurement are sampled.
+places of measurement are sampled, closer where the angle changes (`sampling`).
 
-Axial depth: a rim point counts with the share of the level's depth that still stands
-there, so a slot opened in shallow steps counts as shallow. Ground above the level's
-top does not count. Outside the cleared ground everything is solid: a closed pocket.
+Axial depth: a rim point counts with the share of a full axial depth that still stands
+there, so a slot opened in shallow steps counts as shallow. Outside the cleared ground
+everything is solid up to the top: a closed pocket.
 
-Sampling bound: samples are at most `spacing` apart and at both sides of every kink.
-Between two samples the cutter moves by at most half a spacing to the nearer one, so
-no rim point farther than ``spacing / 2`` from the front passes unseen.
+Cost: a sample has hundreds of earlier pieces within two radii, most of them under
+ground that nearer ones have cleared too. So the nearest are measured first, and of
+the others only those that come near what then still stands.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
 
 from .model import Floats
-from .rim import cleared_by_arcs, cleared_by_lines, standing
+from .neighbors import Neighbors, neighborhoods, pairs_of
+from .rim import Gaps, cleared_by_arcs, cleared_by_lines, standing
+from .sampling import Samples, between, merge_order, merged, take_samples
 from .swept import SAME_HEIGHT, Pieces, cut_into_pieces
 from .toolpath import Toolpath
 
-#: Distance of samples in cutter radii.
-SPACING = 0.1
-#: A turn between two moves above this is a kink and gets a sample on both sides [rad].
-KINK = np.radians(5.0)
-#: How far after a kink the next move is first measured, in cutter radii.
-AFTER_KINK = 1e-6
-#: Samples that look for neighbors together, and pairs that are measured at once.
-BLOCK, CHUNK = 12, 150_000
-#: Blocks that share one search tree.
-WINDOW = 4000
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Samples:
-    """Places of measurement in the order of travel.
-
-    Attributes
-    ----------
-    points : ndarray of shape (k, 3)
-        Cutter center [mm].
-    headings : ndarray of shape (k,)
-        Direction of travel [rad].
-    lengths : ndarray of shape (k,)
-        Length of path each one stands for [mm]; 0 for the extra ones at kinks.
-    pieces : ndarray of int, shape (k,)
-        The swept piece it is on.
-    fractions : ndarray of shape (k,)
-        How far along the piece, in (0, 1].
-    """
-
-    points: Floats
-    headings: Floats
-    lengths: Floats
-    pieces: NDArray[np.int64]
-    fractions: Floats
+#: Distance of samples, in cutter radii: everywhere, and where the angle changes.
+SPACING, FINE_SPACING = 0.2, 0.05
+#: Between neighbors that differ by more than this, samples are added [rad].
+JUMP = np.radians(2.0)
+#: Pieces within this many radii of the cutter center are measured first.
+NEAR = 1.0
+#: Heights of ramps are rounded up to this share of the axial depth.
+HEIGHT_STEP = 1 / 32
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,13 +48,13 @@ class Engagement:
     points : ndarray of shape (k, 3)
         Cutter centers [mm], in the order of travel.
     angles : ndarray of shape (k,)
-        Engagement angle, each rim point weighted by the share of the level's depth that
+        Engagement angle, each rim point weighted by the share of a full axial depth that
         stood there [rad], in ``[0, pi]``.
     radial_depths : ndarray of shape (k,)
         Width of the cut across the direction of travel at the cutter's tip, not weighted [mm],
         in ``[0, 2 r]``.
     lengths : ndarray of shape (k,)
-        Length of path each sample stands for [mm]; 0 at kinks, where it is an extra one.
+        Length of path each sample stands for [mm].
     moves : ndarray of int, shape (k,)
         Move of the toolpath it is on.
     """
@@ -114,7 +87,8 @@ def along_path(
     top : float
         Z of the top of the stock [mm].
     spacing : float, optional
-        Largest distance of samples [mm]; by default a tenth of the radius.
+        Largest distance of samples [mm], by default a fifth of the radius. Where neighbors
+        differ by more than 2 degrees they come as close as a quarter of this.
 
     Returns
     -------
@@ -136,186 +110,114 @@ def along_path(
             raise ValueError(f"{name} must be positive, got {value}")
     pieces = cut_into_pieces(toolpath, cutter_radius, top)
     samples = take_samples(pieces, cutter_radius, spacing)
-    every = np.arange(len(samples.pieces))
-    z = samples.points[:, 2]
-    angles, widths = uncleared(samples, every, pieces, cutter_radius, z + SAME_HEIGHT)
-    angles = _weigh(angles, samples, pieces, cutter_radius, axial_depth, top)
+    measured = _measure(samples, pieces, cutter_radius, axial_depth, top)
+    while True:
+        fine = max(FINE_SPACING / SPACING * spacing, 1e-9) * 1.001
+        more = between(pieces, samples, measured[0], JUMP, fine)
+        if len(more) == 0:
+            break
+        added = _measure(more, pieces, cutter_radius, axial_depth, top)
+        order = merge_order(samples, more)
+        samples = merged(samples, more, order)
+        measured = np.concatenate([measured, added], axis=1)[:, order]
     moves = pieces.moves[samples.pieces]
-    return Engagement(samples.points, angles, widths, samples.lengths, moves)
+    return Engagement(samples.points, *measured, samples.lengths, moves)
 
 
-def take_samples(pieces: Pieces, r: float, spacing: float) -> Samples:
-    """Place samples along the pieces, evenly and on both sides of kinks."""
-    lengths = pieces.lengths
-    done = np.cumsum(lengths)
-    total = float(done[-1]) if len(done) else 0.0
-    count = int(np.ceil(total / spacing))
-    pitch = total / max(count, 1)
-    marks = (np.arange(count) + 0.5) * pitch
-    index = np.searchsorted(done, marks)
-    fraction = np.clip(1.0 - (done[index] - marks) / lengths[index], 1e-12, 1.0)
-    moving = np.flatnonzero(lengths > 0)
-    here, following = moving[:-1], moving[1:]
-    one = np.ones(len(here))
-    turn = pieces.directions(following, 0 * one) - pieces.directions(here, one)
-    turn = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
-    apart = np.hypot(*(pieces.starts[following] - pieces.ends[here]).T) > 1e-9
-    kink = np.flatnonzero((turn > KINK) | apart | (following != here + 1))
-    after = np.r_[moving[:1], following[kink]]
-    index = np.concatenate([index, here[kink], moving[-1:], after])
-    start = np.minimum(AFTER_KINK * r / lengths[after], 1.0)
-    fraction = np.concatenate([fraction, np.ones(len(kink) + len(moving[-1:])), start])
-    weight = np.r_[np.full(count, pitch), np.zeros(len(index) - count)]
-    order = np.lexsort((fraction, index))
-    index, fraction, weight = index[order], fraction[order], weight[order]
-    z0, z1 = pieces.bottoms[index].T
-    points = np.column_stack([pieces.positions(index, fraction), z0 + fraction * (z1 - z0)])
-    return Samples(points, pieces.directions(index, fraction), weight, index, fraction)
+def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float) -> Floats:
+    """Return weighted angles [rad] and radial depths [mm], shape (2, k)."""
+    n = len(samples)
+    gaps = uncleared(samples, pieces, r)
+    load = _load(gaps, samples, pieces, r, axial_depth, top)
+    return np.stack([load, gaps.widths(n, r)])
 
 
-def _weigh(
-    angles: Floats, samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float
+def uncleared(samples: Samples, pieces: Pieces, r: float, half: float = np.pi / 2) -> Gaps:
+    """Return what no earlier piece has cleared down to the height of the cutter.
+
+    Parameters
+    ----------
+    samples : Samples
+    pieces : Pieces
+    r : float
+        Cutter radius [mm].
+    half : float
+        ``pi / 2`` for the leading half of the rim, ``pi`` for all of it.
+    """
+    hoods = neighborhoods(samples, pieces, r)
+    return Gaps.joined([_uncleared_here(hood, samples, r, half) for hood in hoods])
+
+
+def _uncleared_here(hood: Neighbors, samples: Samples, r: float, half: float) -> Gaps:
+    """Measure the nearest pieces of a neighborhood first, then those near what still stands."""
+    n = hood.last - hood.first
+    here = np.arange(hood.first, hood.last)
+    distance = hood.distances()
+    near = distance <= NEAR * r
+    gaps = standing(*_intervals(samples, *hood.pairs(near), hood.pieces, r), here, half)
+    first, last = gaps.hull(hood.first, n, half)
+    middle = (first + last) / 2 + samples.headings[here]
+    rim = hood.points + r * np.stack([np.cos(middle), np.sin(middle)])
+    # a piece matters if it is within r of the gap, which is this far from its middle
+    span = 2 * r * np.sin(np.maximum(last - first, 0.0) / 4)
+    reach = np.where(first < last, 1.000001 * (r + span), -1.0)
+    rest = ~near & (distance <= 2 * r) & hood.within(rim, reach)
+    rims, low, high = _intervals(samples, *hood.pairs(rest), hood.pieces, r)
+    if len(rims) == 0:
+        return gaps
+    return gaps.without(rims, low, high, half)
+
+
+def _intervals(
+    samples: Samples, rows: NDArray[np.int64], piece: NDArray[np.int64], pieces: Pieces, r: float
+) -> tuple[NDArray[np.int64], Floats, Floats]:
+    """Return the rim intervals cleared in pairs of sample and piece: sample, low, high."""
+    xy, heading = samples.points[rows, :2], samples.headings[rows]
+    arc = pieces.is_arc[piece]
+    if not arc.any():
+        pair, low, high = cleared_by_lines(xy, heading, pieces, piece, r)
+        return rows[pair], low, high
+    lines, arcs = np.flatnonzero(~arc), np.flatnonzero(arc)
+    straight = cleared_by_lines(xy[lines], heading[lines], pieces, piece[lines], r)
+    own = samples.pieces[rows[arcs]] == piece[arcs]
+    until = np.where(own, samples.fractions[rows[arcs]], 1.0)
+    bent = cleared_by_arcs(xy[arcs], heading[arcs], pieces, piece[arcs], r, until, own)
+    return (
+        np.concatenate([rows[lines[straight[0]]], rows[arcs[bent[0]]]]),
+        np.concatenate([straight[1], bent[1]]),
+        np.concatenate([straight[2], bent[2]]),
+    )
+
+
+def _load(
+    gaps: Gaps, samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float
 ) -> Floats:
     """Average the uncleared angle over the axial depth, from each sample's Z upwards.
 
     It is constant between the heights that earlier motion nearby has left.
     """
-    z = samples.points[:, 2]
+    n, z = len(samples), samples.points[:, 2]
     ceiling = np.minimum(z + axial_depth, top)
-    level, load, angle = z.copy(), np.zeros(len(z)), angles.copy()
-    steps = np.where(pieces.rapid, np.inf, np.round(pieces.heights / SAME_HEIGHT) * SAME_HEIGHT)
-    for height in np.unique(steps):
-        which = np.flatnonzero(
-            (z + SAME_HEIGHT < height) & (height < ceiling - SAME_HEIGHT) & (angle > 0)
+    level, load, angle = z.copy(), np.zeros(n), gaps.angles(n)
+    heights = _stepped_heights(pieces, top, HEIGHT_STEP * axial_depth)
+    for height in np.unique(heights[heights < top - SAME_HEIGHT]):
+        under = (z + SAME_HEIGHT < height) & (height < ceiling - SAME_HEIGHT) & (angle > 0)
+        rows, piece = pairs_of(
+            samples, np.flatnonzero(under), pieces, np.flatnonzero(heights == height), r
         )
-        which = _near(samples, which, pieces, np.flatnonzero(steps == height), r)
-        if len(which) == 0:
-            continue
-        below = np.full(len(which), height + SAME_HEIGHT)
-        load[which] += angle[which] * (height - level[which])
-        level[which] = height
-        angle[which], _ = uncleared(samples, which, pieces, r, below)
+        rims, low, high = _intervals(samples, rows, piece, pieces, r)
+        touched = np.unique(rims)
+        load[touched] += angle[touched] * (height - level[touched])
+        level[touched] = height
+        gaps = gaps.without(rims, low, high, np.pi / 2)
+        angle = gaps.angles(n)
     load += angle * np.maximum(ceiling - level, 0.0)
     return load / axial_depth
 
 
-def _near(
-    samples: Samples, which: NDArray[np.int64], pieces: Pieces, chosen: NDArray[np.int64], r: float
-) -> NDArray[np.int64]:
-    """Return those samples that have one of the chosen pieces within reach and before them."""
-    if len(which) == 0 or len(chosen) == 0:
-        return which[:0]
-    xy = samples.points[which, :2]
-    tree = shapely.STRtree(shapely.box(*pieces.bounds[chosen].T))
-    hit, piece = tree.query(shapely.box(*(xy - 2 * r).T, *(xy + 2 * r).T))
-    return which[np.unique(hit[chosen[piece] < samples.pieces[which[hit]]])]
-
-
-def uncleared(
-    samples: Samples,
-    which: NDArray[np.int64],
-    pieces: Pieces,
-    r: float,
-    below: Floats,
-    half: float = np.pi / 2,
-) -> tuple[Floats, Floats]:
-    """Return what no earlier piece has cleared down to a height.
-
-    Parameters
-    ----------
-    samples : Samples
-    which : ndarray of int, shape (k,)
-        Samples to measure, ascending.
-    pieces : Pieces
-    r : float
-        Cutter radius [mm].
-    below : ndarray of shape (k,)
-        Z up to which a piece counts as having cleared, of each sample [mm].
-    half : float
-        ``pi / 2`` for the leading half of the rim, ``pi`` for all of it.
-
-    Returns
-    -------
-    angles : ndarray of shape (k,)
-        [rad]
-    widths : ndarray of shape (k,)
-        Across the direction of travel [mm].
-    """
-    angles = np.full(len(which), 2 * half)
-    widths = np.full(len(which), 2.0 * r)
-    for first, last, who, piece in _pairs(samples, which, pieces, r, below):
-        s = which[who]
-        owner, low, high = _intervals(samples, s, pieces, piece, r)
-        n = last - first
-        owner, begin, end = standing(who[owner] - first, low, high, n, half)
-        angles[first:last] = np.bincount(owner, end - begin, minlength=n)
-        wide = r * np.abs(np.sin(end) - np.sin(begin))
-        widths[first:last] = np.bincount(owner, wide, minlength=n)
-    return angles, widths
-
-
-def _intervals(
-    samples: Samples, s: NDArray[np.int64], pieces: Pieces, piece: NDArray[np.int64], r: float
-) -> tuple[NDArray[np.int64], Floats, Floats]:
-    """Return the rim intervals cleared in pairs of sample and piece, and the pair of each."""
-    xy, heading = samples.points[s, :2], samples.headings[s]
-    arc = pieces.is_arc[piece]
-    lines, arcs = np.flatnonzero(~arc), np.flatnonzero(arc)
-    pair, low, high = cleared_by_lines(xy[lines], heading[lines], pieces, piece[lines], r)
-    if len(arcs) == 0:
-        return lines[pair], low, high
-    own = samples.pieces[s[arcs]] == piece[arcs]
-    until = np.where(own, samples.fractions[s[arcs]], 1.0)
-    bent = cleared_by_arcs(xy[arcs], heading[arcs], pieces, piece[arcs], r, until, own)
-    return (
-        np.concatenate([lines[pair], arcs[bent[0]]]),
-        np.concatenate([low, bent[1]]),
-        np.concatenate([high, bent[2]]),
-    )
-
-
-def _pairs(
-    samples: Samples, which: NDArray[np.int64], pieces: Pieces, r: float, below: Floats
-) -> Iterator[tuple[int, int, NDArray[np.int64], NDArray[np.int64]]]:
-    """Yield (first, last, rows of `which`, pieces): all earlier pieces that may reach a sample.
-
-    Chunks hold whole blocks of consecutive samples, so that memory stays bounded.
-    """
-    for begin in range(0, len(which), WINDOW * BLOCK):
-        window = slice(begin, min(begin + WINDOW * BLOCK, len(which)))
-        block, piece = _neighbors(samples, which[window], pieces, r, below[window])
-        starts = np.arange(begin, window.stop, BLOCK)
-        sizes = np.minimum(BLOCK, window.stop - starts)
-        work = np.cumsum(np.bincount(block, minlength=len(starts)) * sizes)
-        cuts = np.searchsorted(work, np.arange(CHUNK, work[-1], CHUNK), side="right")
-        cuts = np.unique(np.r_[0, cuts, len(starts)])
-        edges = np.searchsorted(block, cuts)
-        for b0, b1, e0, e1 in zip(cuts[:-1], cuts[1:], edges[:-1], edges[1:], strict=True):
-            b, p = block[e0:e1], piece[e0:e1]
-            size = sizes[b]
-            within = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
-            who, p = np.repeat(starts[b], size) + within, np.repeat(p, size)
-            now = samples.pieces[which[who]]
-            early = ((p < now) | ((p == now) & pieces.is_arc[p])) & (
-                pieces.heights[p] <= below[who]
-            )
-            yield starts[b0], starts[b1 - 1] + sizes[b1 - 1], who[early], p[early]
-
-
-def _neighbors(
-    samples: Samples, which: NDArray[np.int64], pieces: Pieces, r: float, below: Floats
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return pairs of block and piece whose boxes come within reach, sorted by block."""
-    starts = np.arange(0, len(which), BLOCK)
-    xy = samples.points[which, :2]
-    low, high = np.minimum.reduceat(xy, starts) - 2 * r, np.maximum.reduceat(xy, starts) + 2 * r
-    now = samples.pieces[which[np.minimum(starts + BLOCK, len(which)) - 1]]
-    before = slice(0, now[-1] + 1)
-    useful = np.flatnonzero(~pieces.rapid[before] & (pieces.heights[before] <= below.max()))
-    tree = shapely.STRtree(shapely.box(*pieces.bounds[useful].T))
-    block, hit = tree.query(shapely.box(*low.T, *high.T))
-    piece = useful[hit]
-    early = piece <= now[block]
-    block, piece = block[early], piece[early]
-    order = np.argsort(block, kind="stable")
-    return block[order], piece[order]
+def _stepped_heights(pieces: Pieces, top: float, step: float) -> Floats:
+    """Return the heights of pieces, those of ramps rounded up; infinite for rapids."""
+    flat = np.ptp(pieces.bottoms, axis=1) < SAME_HEIGHT
+    grain = np.where(flat, SAME_HEIGHT, step)
+    steps = np.ceil((pieces.heights - top) / grain - 0.5 * flat)
+    return np.where(pieces.rapid, np.inf, top + steps * grain)

@@ -14,6 +14,9 @@ Angles are unwrapped and relative to the direction of travel.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,6 +26,8 @@ from .swept import Pieces
 #: The cutter's own trail is taken up to this many radii behind its center: at the very
 #: center the bearing is undefined.
 OWN_TRAIL_GAP = 1e-6
+#: Narrower gaps are rounding [rad].
+NARROWEST = 1e-9
 
 
 def cleared_by_lines(
@@ -143,9 +148,86 @@ def _arc_interval(
     return low, high
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Gaps:
+    """What still stands along rims: intervals of rim angle, sorted by rim and angle.
+
+    Attributes
+    ----------
+    rims : ndarray of int, shape (g,)
+    begins, ends : ndarray of shape (g,)
+        From the heading, within ``[-pi / 2, pi / 2]`` for the leading half [rad].
+    """
+
+    rims: NDArray[np.int64]
+    begins: Floats
+    ends: Floats
+
+    def angles(self, n: int) -> Floats:
+        """Return the sum of the gaps of each of `n` rims [rad]."""
+        return np.bincount(self.rims, self.ends - self.begins, minlength=n)
+
+    def widths(self, n: int, cutter_radius: float) -> Floats:
+        """Return the sum of the gaps' widths across the heading [mm]."""
+        wide = cutter_radius * np.abs(np.sin(self.ends) - np.sin(self.begins))
+        return np.bincount(self.rims, wide, minlength=n)
+
+    def hull(self, offset: int, n: int, half: float) -> tuple[Floats, Floats]:
+        """Return where the first gap of `n` rims begins and the last one ends [rad].
+
+        Of rims `offset` and following. Without gaps the end comes before the begin.
+        """
+        first, last = np.full(n, half), np.full(n, -half)
+        new = self._firsts()
+        first[self.rims[new] - offset] = self.begins[new]
+        final = np.roll(new, -1)
+        last[self.rims[final] - offset] = self.ends[final]
+        return first, last
+
+    def without(self, rims: NDArray[np.int64], low: Floats, high: Floats, half: float) -> Gaps:
+        """Return what is left when these intervals, given as in `standing`, are cleared too."""
+        touched = np.isin(self.rims, rims)
+        mine = Gaps(self.rims[touched], self.begins[touched], self.ends[touched])
+        known = np.isin(rims, mine.rims)
+        cleared = mine._complement(half)
+        rest = standing(
+            np.concatenate([rims[known], cleared[0]]),
+            np.concatenate([low[known], cleared[1]]),
+            np.concatenate([high[known], cleared[2]]),
+            mine.rims[mine._firsts()],
+            half,
+        )
+        both = Gaps.joined(
+            [Gaps(self.rims[~touched], self.begins[~touched], self.ends[~touched]), rest]
+        )
+        order = np.lexsort((both.begins, both.rims))
+        return Gaps(both.rims[order], both.begins[order], both.ends[order])
+
+    @staticmethod
+    def joined(parts: Sequence[Gaps]) -> Gaps:
+        """Return the gaps of all parts, one part after the other."""
+        if len(parts) == 0:
+            return Gaps(np.zeros(0, np.int64), np.zeros(0), np.zeros(0))
+        return Gaps(*(np.concatenate([getattr(p, f) for p in parts]) for f in Gaps.__slots__))
+
+    def _firsts(self) -> NDArray[np.bool_]:
+        """Return which gaps are the first of their rim."""
+        return np.diff(self.rims, prepend=-1) != 0
+
+    def _complement(self, half: float) -> tuple[NDArray[np.int64], Floats, Floats]:
+        """Return the cleared intervals of the rims that have gaps: rims, lows, highs."""
+        new = self._firsts()
+        final = np.roll(new, -1)
+        return (
+            np.concatenate([self.rims, self.rims[final]]),
+            np.concatenate([np.where(new, -half, np.roll(self.ends, 1)), self.ends[final]]),
+            np.concatenate([self.begins, np.full(int(final.sum()), half)]),
+        )
+
+
 def standing(
-    owners: NDArray[np.int64], low: Floats, high: Floats, n: int, half: float
-) -> tuple[NDArray[np.int64], Floats, Floats]:
+    rims: NDArray[np.int64], low: Floats, high: Floats, every: NDArray[np.int64], half: float
+) -> Gaps:
     """Return what is left of each rim's ``[-half, half]`` outside all its cleared intervals.
 
     Sorted starts and sorted ends tell the gaps of a union: after the k-th end there is a
@@ -153,27 +235,25 @@ def standing(
 
     Parameters
     ----------
-    owners : ndarray of int, shape (m,)
-        Rim of each interval, ``0 <= owner < n``.
+    rims : ndarray of int, shape (m,)
+        Rim of each interval, 0 or more.
     low, high : ndarray of shape (m,)
         [rad]
-    n : int
-        Number of rims.
+    every : ndarray of int
+        All rims, also those without an interval.
     half : float
         ``pi / 2`` for the leading half of the rim, ``pi`` for all of it.
 
     Returns
     -------
-    owners : ndarray of int, shape (g,)
-    begins, ends : ndarray of shape (g,)
-        The gaps, in order of owner and angle [rad].
+    Gaps
     """
     turns = 2 * np.pi * np.floor((low + np.pi) / (2 * np.pi))
     low, high = low - turns, high - turns
     wraps = high > 2 * np.pi - half
     ahead = (low < half) & (high > -half)
-    every = np.arange(n)
-    owner = np.concatenate([owners[ahead], owners[wraps], every, every])
+    n = len(every)
+    rim = np.concatenate([rims[ahead], rims[wraps], every, every])
     begins = np.concatenate(
         [np.maximum(low[ahead], -half), np.full(wraps.sum() + n, -half), np.full(n, half)]
     )
@@ -186,10 +266,10 @@ def standing(
         ]
     )
     pitch = 10.0  # one rim after the other on one axis, farther apart than 2 pi
-    begins = np.sort(begins + pitch * owner)[1:]
-    ends = np.sort(ends + pitch * owner)[:-1]
-    gap = np.flatnonzero(begins > ends)
+    begins = np.sort(begins + pitch * rim)[1:]
+    ends = np.sort(ends + pitch * rim)[:-1]
+    gap = np.flatnonzero(begins > ends + NARROWEST)
     of = np.rint(ends[gap] / pitch).astype(np.int64)
     inner = np.rint(begins[gap] / pitch).astype(np.int64) == of
     gap, of = gap[inner], of[inner]
-    return of, ends[gap] - pitch * of, begins[gap] - pitch * of
+    return Gaps(of, ends[gap] - pitch * of, begins[gap] - pitch * of)
