@@ -34,6 +34,8 @@ Floats = NDArray[np.float64]
 GAP = 1e-3
 #: The largest turn of one piece [rad]: keeps tangents from meeting far away.
 _LARGEST_TURN = np.radians(20)
+#: An S-shaped piece is halved until it is as straight as this [mm]: its tangents do not meet.
+_STRAIGHT = 1e-8
 #: A piece is not halved more often than this.
 _DEEPEST = 12
 #: Tangents are taken this share inside a piece, so that a kink at its ends does not matter.
@@ -44,18 +46,16 @@ _INSET = 1e-6
 class _Piece:
     """A stretch of an edge, from one point to the next in the order of the ring.
 
-    `start`, `end` : ndarray of shape (2,); `heading`, `arrival`: unit tangents there;
-    `middle`: a point between them.
+    `start`, `end`: ndarray of shape (2,); `heading`, `arrival`: unit tangents there.
     """
 
     start: Floats
     end: Floats
     heading: Floats
     arrival: Floats
-    middle: Floats
 
     def reversed(self) -> _Piece:
-        return _Piece(self.end, self.start, -self.arrival, -self.heading, self.middle)
+        return _Piece(self.end, self.start, -self.arrival, -self.heading)
 
 
 def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
@@ -171,7 +171,9 @@ def _pieces(edge: Any, sag: float) -> list[_Piece]:
 
 def _halved(edge: Any, a: float, b: float, sag: float, depth: int) -> list[_Piece]:
     piece = _piece(edge, a, b)
-    if depth == 0 or (_sag(edge, piece, a, b) <= sag and _turn(piece) <= _LARGEST_TURN):
+    found = _sag(edge, piece, a, b)
+    limit = _STRAIGHT if _is_s_shaped(edge, a, b) else sag
+    if depth == 0 or (found <= limit and _turn(piece) <= _LARGEST_TURN):
         return [piece]
     middle = (a + b) / 2
     return _halved(edge, a, middle, sag, depth - 1) + _halved(edge, middle, b, sag, depth - 1)
@@ -184,7 +186,6 @@ def _piece(edge: Any, a: float, b: float) -> _Piece:
         end=_xy(edge.valueAt(b)),
         heading=_xy(edge.tangentAt(a + inset)),
         arrival=_xy(edge.tangentAt(b - inset)),
-        middle=_xy(edge.valueAt((a + b) / 2)),
     )
 
 
@@ -211,18 +212,22 @@ def _turn(piece: _Piece) -> float:
     return abs(np.arctan2(_cross(piece.heading, piece.arrival), piece.heading @ piece.arrival))
 
 
+def _is_s_shaped(edge: Any, a: float, b: float) -> bool:
+    """Return whether the edge turns both ways between two parameters."""
+    inset = (b - a) * _INSET
+    tangents = [_xy(edge.tangentAt(t)) for t in np.linspace(a + inset, b - inset, 5)]
+    turns = [_cross(before, after) for before, after in pairwise(tangents)]
+    return min(turns) < 0 < max(turns)
+
+
 def _bulge(piece: _Piece) -> list[Floats]:
-    """Return the point that keeps the ring out of a wall bulging to the left, if there is one.
+    """Return the point that keeps the ring out of a wall that bulges to the left.
 
     That is where the tangents at both ends meet.
     """
     chord = piece.end - piece.start
-    if _cross(chord, piece.middle - piece.start) <= 0:
+    leaves, reaches = _cross(chord, piece.heading), _cross(chord, piece.arrival)
+    if leaves <= 0 or reaches >= 0:
         return []
-    turn = _cross(piece.heading, piece.arrival)
-    if abs(turn) < 1e-12:
-        return []
-    along = _cross(chord, piece.arrival) / turn
-    if along <= 0:
-        return []
+    along = reaches / _cross(piece.heading, piece.arrival)
     return [piece.start + along * piece.heading]

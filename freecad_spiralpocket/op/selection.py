@@ -110,7 +110,7 @@ def floor(model: Any, name: str) -> Floor:
 
 
 def heights(base: list[tuple[Any, Any]]) -> list[float]:
-    """Return the heights of the level faces in FreeCAD's list `base` [mm], passing over the rest."""
+    """Return the heights of the level faces in FreeCAD's list `base` [mm], without the rest."""
     result = []
     for model, names in base or []:
         for name in [names] if isinstance(names, str) else names:

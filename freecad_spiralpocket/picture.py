@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A picture of planned pockets: the path in the plane, colored by engagement.
+
+Shows the deepest level of each pocket, as measured on the finished path: where
+the color stays below the mark on the color bar, the cutter is loaded no more
+than on a straight cut at the step-over. Needs matplotlib, which FreeCAD's own
+packages carry; everything is drawn without a window.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .engine.errors import SetupError
+from .engine.model import Plan
+from .engine.toolpath import Kind, Role
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+#: Longest side of the drawing and its resolution.
+WIDTH, DPI = 16.0, 130  # in, 1/in
+#: Heights closer than this are one level [mm].
+SAME_HEIGHT = 1e-3
+#: Angles per drawn chord of an arc [rad].
+ARC_STEP = np.radians(6)
+
+WALL, ISLAND, OUTLINE = "#f4f4f2", "#cfcfca", "#30302e"
+ENTRY_COLOR, LINK_COLOR, RAPID_COLOR = "#d6248f", "#1a9850", "#9a9a9a"
+COLOR_MAP = "turbo"
+
+
+def draw(plans: Sequence[Plan], path: str | os.PathLike[str], title: str = "") -> None:
+    """Draw the pockets into a picture file.
+
+    Parameters
+    ----------
+    plans : sequence of Plan
+        At least one.
+    path : path-like
+        Its ending chooses the format: png, svg, pdf.
+    title : str, optional
+
+    Raises
+    ------
+    SetupError
+        If matplotlib is missing or the file cannot be written.
+    """
+    try:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise SetupError(
+            "Drawing the path needs the Python library matplotlib, which this FreeCAD lacks.",
+            "Install it with the Addon Manager or pip, or leave the picture out.",
+        ) from error
+    figure = Figure(figsize=_size(plans), dpi=DPI, layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    for plan in plans:
+        _draw_pocket(axes, plan)
+        _draw_moves(axes, plan)
+    _draw_rapids(axes, plans)
+    _draw_engagement(figure, axes, plans)
+    _finish(axes, title)
+    try:
+        figure.savefig(path)
+    except OSError as error:
+        raise SetupError(
+            f"Cannot write {path}: {error.strerror}.", "Choose another file."
+        ) from error
+
+
+def _size(plans: Sequence[Plan]) -> tuple[float, float]:
+    """Return the figure's size [in] for the pockets' common bounds."""
+    bounds = np.array([p.request.pocket.bounds for p in plans])
+    width, height = bounds[:, 2:].max(axis=0) - bounds[:, :2].min(axis=0)
+    scale = min(WIDTH / width, 0.6 * WIDTH / height)
+    return max(8.0, width * scale + 2.0), max(4.0, height * scale + 1.2)
+
+
+def _draw_pocket(axes: Axes, plan: Plan) -> None:
+    pocket = plan.request.pocket
+    axes.fill(*np.array(pocket.exterior.coords).T, facecolor=WALL, edgecolor=OUTLINE, lw=1.2)
+    for island in pocket.interiors:
+        axes.fill(*np.array(island.coords).T, facecolor=ISLAND, edgecolor=OUTLINE, lw=1.2, zorder=3)
+    uncut = plan.report.uncut
+    for part in uncut.geoms:
+        axes.fill(*np.array(part.exterior.coords).T, color="#d73027", alpha=0.35, zorder=2)
+
+
+def _draw_moves(axes: Axes, plan: Plan) -> None:
+    """Draw entries and links."""
+    roles = plan.toolpath.roles
+    for role, color, width, label in (
+        (Role.ENTRY, ENTRY_COLOR, 1.6, "entry"),
+        (Role.LINK, LINK_COLOR, 1.2, "link at depth"),
+    ):
+        chosen = np.flatnonzero(roles == role)
+        if len(chosen):
+            line = np.concatenate([_polyline(plan, i) for i in chosen])
+            axes.plot(*line.T, color=color, lw=width, label=label, zorder=5)
+
+
+def _polyline(plan: Plan, index: int) -> Any:
+    """Return move `index` as points, shape (n, 2), with a gap at its end."""
+    moves = plan.toolpath
+    start, end = moves.starts[index, :2], moves.points[index, :2]
+    gap = np.full((1, 2), np.nan)
+    if moves.kinds[index] < Kind.ARC_CW:
+        return np.vstack([start, end, gap])
+    center, sweep = moves.centers[index], moves.sweeps[index]
+    first = np.arctan2(*(start - center)[::-1])
+    angles = first + np.linspace(0, sweep, max(2, int(abs(sweep) / ARC_STEP) + 1))
+    radius = np.hypot(*(start - center))
+    return np.vstack([center + radius * np.c_[np.cos(angles), np.sin(angles)], gap])
+
+
+def _draw_rapids(axes: Axes, plans: Sequence[Plan]) -> None:
+    """Draw rapids in the plane, within pockets and from one to the next."""
+    lines, here = [], None
+    for plan in plans:
+        moves = plan.toolpath
+        if here is not None:
+            lines.append(np.array([here, moves.start[:2]]))
+        ends = zip(moves.starts[:, :2], moves.points[:, :2], moves.kinds, strict=True)
+        lines += [np.array([a, b]) for a, b, kind in ends if kind == Kind.RAPID]
+        here = moves.points[-1, :2]
+    lines = [line for line in lines if np.hypot(*(line[1] - line[0])) > SAME_HEIGHT]
+    for number, line in enumerate(lines):
+        label = "rapid" if number == 0 else None
+        axes.plot(*line.T, color=RAPID_COLOR, lw=0.9, ls=(0, (4, 3)), label=label, zorder=4)
+
+
+def _draw_engagement(figure: Figure, axes: Axes, plans: Sequence[Plan]) -> None:
+    from matplotlib.collections import LineCollection
+    from matplotlib.colors import Normalize
+
+    parts = [_colored(p) for p in plans]
+    segments = np.concatenate([s for s, _ in parts])
+    angles = np.degrees(np.concatenate([a for _, a in parts]))
+    limit = np.degrees(max(p.report.engagement_limit for p in plans))
+    top = max(limit * 1.25, float(angles.max(initial=0.0)))
+    lines = LineCollection(
+        segments, cmap=COLOR_MAP, norm=Normalize(0, top), lw=1.1, zorder=4, capstyle="round"
+    )
+    lines.set_array(angles)
+    axes.add_collection(lines)
+    beside = axes.inset_axes((1.03, 0.0, 0.012, 1.0))
+    bar = figure.colorbar(lines, cax=beside)
+    bar.set_label("engagement angle [deg]")
+    beside.axhline(limit, color="black", lw=2)
+    beside.set_title(f"limit {limit:.0f}", fontsize=9)
+
+
+def _colored(plan: Plan) -> tuple[Any, Any]:
+    """Return the stretches between measured places on the lowest level and their angles."""
+    points, angles = plan.report.engagement_points, plan.report.engagement_angles
+    if len(points) < 2:
+        return np.empty((0, 2, 2)), np.empty(0)
+    low = np.abs(points[:, 2] - points[:, 2].min()) < SAME_HEIGHT
+    step = np.hypot(*np.diff(points[:, :2], axis=0).T)
+    near = step < plan.request.cutter_radius
+    chosen = np.flatnonzero(low[:-1] & low[1:] & near)
+    return np.stack([points[chosen, :2], points[chosen + 1, :2]], axis=1), angles[chosen + 1]
+
+
+def _finish(axes: Axes, title: str) -> None:
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.margins(0.02)
+    axes.set_xlabel("X [mm]")
+    axes.set_ylabel("Y [mm]")
+    axes.spines[["top", "right"]].set_visible(False)
+    if title:
+        axes.set_title(title, loc="left", fontsize=12)
+    handles, labels = axes.get_legend_handles_labels()
+    unique = dict(zip(labels, handles, strict=True))
+    axes.legend(
+        unique.values(),
+        unique.keys(),
+        loc="lower right",
+        bbox_to_anchor=(1.0, 1.0),
+        ncols=4,
+        frameon=False,
+        borderaxespad=0.2,
+    )

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parts, jobs and document snapshots for the tests that run inside FreeCAD."""
+
+import FreeCAD
+import Part
+from FreeCAD import Vector
+
+from freecad_spiralpocket.op.compat import PathJob
+
+DEPTH = 6.0  # mm below Z0, where the tops of all parts are
+UP = Vector(0, 0, 1)
+
+
+def rectangle(width, height, radius=0.0, x=0.0, y=0.0):
+    """Return a wire with rounded corners, its lower left corner at (x, y)."""
+    solid = Part.makeBox(width, height, 1, Vector(x, y, 0))
+    upright = [e for e in solid.Edges if abs(e.tangentAt(e.FirstParameter).z) > 0.9]
+    if radius:
+        solid = solid.makeFillet(radius, upright)
+    return next(f for f in solid.Faces if f.BoundBox.ZMax < 1e-6).OuterWire
+
+
+def circle(radius, x=0.0, y=0.0):
+    """Return a circle as a wire."""
+    return Part.Wire(Part.makeCircle(radius, Vector(x, y, 0)))
+
+
+def spline(points):
+    """Return a closed smooth curve through `points` as a wire."""
+    curve = Part.BSplineCurve()
+    curve.interpolate([Vector(x, y, 0) for x, y in points], True)
+    return Part.Wire(curve.toShape())
+
+
+def polygon(points):
+    """Return a polygon as a wire."""
+    corners = [Vector(x, y, 0) for x, y in points]
+    return Part.makePolygon([*corners, corners[0]])
+
+
+def area(outer, *holes):
+    """Return a face at Z0 from wires."""
+    face = Part.Face(outer)
+    for hole in holes:
+        face = face.cut(Part.Face(hole))
+    return face.Faces[0]
+
+
+def block(*areas, depth=DEPTH, margin=12.0, below=4.0):
+    """Return a block whose top is at Z0, with a pocket of `depth` for each of `areas`."""
+    box = FreeCAD.BoundBox()
+    for face in areas:
+        box.add(face.BoundBox)
+    solid = Part.makeBox(
+        box.XLength + 2 * margin,
+        box.YLength + 2 * margin,
+        depth + below,
+        Vector(box.XMin - margin, box.YMin - margin, -depth - below),
+    )
+    for face in areas:
+        tool = face.copy()
+        tool.translate(Vector(0, 0, -depth))
+        solid = solid.cut(tool.extrude(Vector(0, 0, depth + 1)))
+    return solid.Solids[0]
+
+
+def faces_at(shape, z, looking=1.0):
+    """Return the names of the level faces at height `z`, by their X, that look up (or down)."""
+    found = [
+        (face.BoundBox.XMin, f"Face{number}")
+        for number, face in enumerate(shape.Faces, start=1)
+        if face.BoundBox.ZLength < 1e-6
+        and abs(face.BoundBox.ZMin - z) < 1e-6
+        and face.normalAt(0, 0).z * looking > 0.9
+    ]
+    return [name for _, name in sorted(found)]
+
+
+def vertical_face(shape):
+    """Return the name of a wall."""
+    return next(
+        f"Face{number}"
+        for number, face in enumerate(shape.Faces, start=1)
+        if abs(face.normalAt(0, 0).z) < 1e-6
+    )
+
+
+def add_part(doc, shape, name="Part"):
+    """Return a new object of `doc` with `shape`."""
+    part = doc.addObject("Part::Feature", name)
+    part.Shape = shape
+    return part
+
+
+def add_job(doc, *parts, diameter=6.0, feed=1500.0):
+    """Return a new job with one end mill, its feeds in mm/min, and stock flush with Z0."""
+    doc.recompute()
+    job = PathJob.Create("Job", list(parts), None)
+    job.Stock.ExtZpos = 0
+    tool_controller = job.Tools.Group[0]
+    tool_controller.Tool.Diameter = diameter
+    set_feeds(tool_controller, feed)
+    doc.recompute()
+    return job
+
+
+def set_feeds(tool_controller, feed):
+    """Set all speeds of a tool controller from its horizontal feed [mm/min]."""
+    tool_controller.HorizFeed = feed / 60
+    tool_controller.VertFeed = feed / 4 / 60
+    tool_controller.HorizRapid = tool_controller.VertRapid = 5000 / 60
+
+
+def small_job(doc, diameter=6.0):
+    """Return a job for a block with one small pocket, the part and the floor's name."""
+    part = add_part(doc, block(area(rectangle(24, 18, 4))))
+    job = add_job(doc, part, diameter=diameter)
+    return job, part, faces_at(part.Shape, -DEPTH)[0]
+
+
+def motion(op):
+    """Return the commands of an operation's path that move."""
+    return [c for c in op.Path.Commands if not c.Name.startswith("(")]
+
+
+def gcode(op):
+    """Return the operation's path as text without its label."""
+    return "\n".join(c.toGCode() for c in motion(op))
+
+
+def snapshot(doc):
+    """Return everything the document says about its objects, to compare before and after.
+
+    Shapes and pictures are left out; objects, their values, expressions and states are in.
+    """
+    result = {}
+    for obj in doc.Objects:
+        values = {
+            name: str(getattr(obj, name, None))
+            for name in obj.PropertiesList
+            if "Shape" not in obj.getTypeIdOfProperty(name) and name != "Proxy"
+        }
+        result[obj.Name] = (values, str(obj.ExpressionEngine), tuple(obj.State))
+    return result
