@@ -2,9 +2,14 @@
 """What the cutter could reach and left standing.
 
 Reach: the pocket shrunk by radius and stock to leave (where the center may be), and
-grown again by the radius. Swept: the union of all pieces of motion at a floor or
-deeper, grown by the radius. A path that keeps to its tolerance may leave a skin of
-that thickness on the wall; this is not counted.
+grown again by the radius. Swept: the union of what every piece of motion at the floor
+or deeper sweeps. Most of it is settled by a rough, certainly too small picture of the
+swept ground; only what that leaves, a thin strip along the walls and what truly
+stands, is compared with exact shapes of the pieces nearby.
+
+A path that keeps to its tolerance may leave a skin of that thickness on the wall;
+this is not counted. What is cut at the lowest floor is cut above it too, so the
+lowest floor is the least favorable one.
 """
 
 from __future__ import annotations
@@ -17,14 +22,17 @@ from shapely import MultiPolygon, Polygon
 from .model import Floats
 from .swept import SAME_HEIGHT, Pieces
 
-#: Chords in a quarter circle: off by 8e-5 of the radius.
+#: Chords in a quarter circle of exact shapes: off by 8e-5 of the radius.
 QUADRANT = 64
-#: Arcs of the motion become chords no farther off than this [mm].
+#: Arcs of exact shapes become chords no farther off than this [mm].
 CHORD_TOLERANCE = 1e-4
+#: The rough picture: motion simplified by this share of the radius and grown by that one.
+#: With the 1 % by which GEOS simplifies what it grows they stay below the radius.
+ROUGH_MOTION, ROUGH_RADIUS = 0.005, 0.98
 
 
 def reachable_floor(pocket: Polygon, radius: float, stock: float) -> shapely.Geometry:
-    """Return the part of the pocket that the cutter can reach, `stock` [mm] off the wall."""
+    """Return the part of the pocket that the cutter can clear, `stock` [mm] off the wall."""
     centers = pocket.buffer(-(radius + stock), quad_segs=QUADRANT)
     return centers.buffer(radius, quad_segs=QUADRANT)
 
@@ -32,7 +40,7 @@ def reachable_floor(pocket: Polygon, radius: float, stock: float) -> shapely.Geo
 def uncut_floor(
     reach: shapely.Geometry, pieces: Pieces, floor: float, radius: float, skin: float
 ) -> MultiPolygon:
-    """Return what stands above `floor` after all motion.
+    """Return what stands above a floor after all motion.
 
     Parameters
     ----------
@@ -50,23 +58,71 @@ def uncut_floor(
     -------
     shapely.MultiPolygon
     """
+    wanted = reach.buffer(-skin - 2e-4 * radius, quad_segs=QUADRANT)
     deep = pieces.select(~pieces.rapid & (pieces.heights <= floor + SAME_HEIGHT))
-    wanted = reach.buffer(-skin - radius * 1e-4, quad_segs=QUADRANT)
-    rest = wanted.difference(
-        shapely.unary_union(shapely.buffer(polylines(deep), radius, quad_segs=QUADRANT))
+    if len(deep) == 0:
+        return _polygons(wanted)
+    doubtful = shapely.get_parts(wanted.difference(roughly_swept(deep, radius)))
+    tree = shapely.STRtree(polylines(deep, CHORD_TOLERANCE))
+    near = np.unique(tree.query(doubtful, predicate="dwithin", distance=radius)[1])
+    swept = shapely.union_all(swept_shapes(deep.select(near), radius))
+    return _polygons(shapely.union_all(doubtful).difference(swept))
+
+
+def roughly_swept(pieces: Pieces, radius: float) -> shapely.Geometry:
+    """Return a simple region that is certainly swept, nearly all of it."""
+    lines = shapely.line_merge(shapely.multilinestrings(polylines(pieces, ROUGH_MOTION * radius)))
+    rough = shapely.simplify(lines, 0.5 * ROUGH_MOTION * radius, preserve_topology=False)
+    return rough.buffer(ROUGH_RADIUS * radius, quad_segs=8)
+
+
+def swept_shapes(pieces: Pieces, radius: float) -> NDArray[np.object_]:
+    """Return exact shapes whose union is what the cutter sweeps on these pieces."""
+    arcs = pieces.select(pieces.is_arc)
+    lines = pieces.select(~pieces.is_arc)
+    straight = shapely.linestrings(np.stack([lines.starts, lines.ends], axis=1))
+    tips = shapely.points(np.concatenate([arcs.starts, arcs.ends]))
+    rounds = shapely.buffer(np.concatenate([straight, tips]), radius, quad_segs=QUADRANT)
+    return np.concatenate([rounds, _sectors(arcs, radius)])
+
+
+def _sectors(arcs: Pieces, radius: float) -> NDArray[np.object_]:
+    """Return the ring sector beside each arc, a slice of pie where the arc is tight."""
+    if len(arcs) == 0:
+        return np.zeros(0, object)
+    inner, outer = np.maximum(arcs.radii - radius, 0.0), arcs.radii + radius
+    n = _chord_counts(outer, arcs.sweeps, CHORD_TOLERANCE) + 1
+    row, part = _rows(n)
+    turn = arcs.angles[row] + arcs.sweeps[row] * part / (n[row] - 1)
+    spoke = np.column_stack([np.cos(turn), np.sin(turn)])
+    points = arcs.centers[row] + outer[row, None] * spoke
+    back = arcs.centers[row] + inner[row, None] * spoke
+    order = np.lexsort((np.r_[part, 2 * n[row] - part], np.r_[row, row]))
+    both = np.r_[row, row][order]
+    return shapely.polygons(
+        shapely.linearrings(np.concatenate([points, back])[order], indices=both)
     )
-    return MultiPolygon([p for p in shapely.get_parts(rest) if p.geom_type == "Polygon"])
 
 
-def polylines(pieces: Pieces) -> NDArray[np.object_]:
-    """Return each piece as a line string, arcs as chords within `CHORD_TOLERANCE`."""
-    bend = 2 * np.arccos(np.maximum(0.0, 1 - CHORD_TOLERANCE / np.maximum(pieces.radii, 1e-9)))
-    chords = np.ceil(np.abs(pieces.sweeps) / np.maximum(bend, 1e-9)).astype(np.int64)
-    n = np.maximum(chords, 1) + 1
-    row = np.repeat(np.arange(len(pieces)), n)
-    part = np.arange(len(row)) - np.repeat(np.cumsum(n) - n, n)
-    return shapely.linestrings(_points(pieces, row, part / (n[row] - 1)), indices=row)
+def polylines(pieces: Pieces, tolerance: float) -> NDArray[np.object_]:
+    """Return each piece as a line string, arcs as chords within `tolerance` [mm]."""
+    n = np.where(pieces.is_arc, _chord_counts(pieces.radii, pieces.sweeps, tolerance), 1) + 1
+    row, part = _rows(n)
+    return shapely.linestrings(pieces.positions(row, part / (n[row] - 1)), indices=row)
 
 
-def _points(pieces: Pieces, row: NDArray[np.int64], fraction: Floats) -> Floats:
-    return pieces.positions(row, fraction)
+def _chord_counts(radii: Floats, sweeps: Floats, tolerance: float) -> NDArray[np.int64]:
+    """Return how many chords keep an arc within the tolerance, one at least."""
+    sag = np.minimum(tolerance / np.maximum(radii, 1e-9), 1.0)
+    return np.maximum(np.ceil(np.abs(sweeps) / (2 * np.arccos(1 - sag))), 1).astype(np.int64)
+
+
+def _rows(counts: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return row and place in the row of rows of the given lengths."""
+    row = np.repeat(np.arange(len(counts)), counts)
+    return row, np.arange(len(row)) - np.repeat(np.cumsum(counts) - counts, counts)
+
+
+def _polygons(geometry: shapely.Geometry) -> MultiPolygon:
+    """Return the polygons of a geometry."""
+    return MultiPolygon([p for p in shapely.get_parts(geometry) if p.geom_type == "Polygon"])

@@ -20,6 +20,8 @@ from .swept import Pieces
 KINK = np.radians(5.0)
 #: How far after a kink the next piece is first measured, in cutter radii.
 AFTER_KINK = 1e-6
+#: Ends and starts nearer than this join: posts round arcs [mm].
+ROUNDING = 1e-3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,7 +73,7 @@ def take_samples(pieces: Pieces, cutter_radius: float, spacing: float) -> Sample
     turn = pieces.directions(following, np.zeros(len(here)))
     turn = turn - pieces.directions(here, np.ones(len(here)))
     turn = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
-    apart = np.hypot(*(pieces.starts[following] - pieces.ends[here]).T) > 1e-9
+    apart = np.hypot(*(pieces.starts[following] - pieces.ends[here]).T) > ROUNDING
     broken = np.flatnonzero((turn > KINK) | apart | (following != here + 1))
     before = np.r_[here[broken], moving[-1:]]
     after = np.r_[moving[:1], following[broken]]

@@ -11,9 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
-from shapely import MultiPolygon
 
 from .coverage import reachable_floor, uncut_floor
 from .engagement import Engagement, along_path
@@ -52,7 +50,8 @@ def prove(request: PocketRequest, toolpath: Toolpath) -> Report:
     engagement = along_path(toolpath, r, axial_depth=min(heights.step_down, top - bottom), top=top)
     judged = ~_is_rapid(toolpath, engagement) & _after_entry(engagement, levels, r)
     steady = _Statistics.of(engagement.angles[judged], engagement.lengths[judged])
-    uncut = worst_uncut(request, pieces, levels)
+    reach = reachable_floor(request.pocket, r, stock)
+    uncut = uncut_floor(reach, pieces, bottom, r, request.tolerance)
     gouge, place = gouge_depth(request.pocket, pieces, r + stock)
     too_deep = max(0.0, bottom - float(toolpath.points[:, 2].min(initial=bottom)))
     through = engagement.radial_depths > 2 * request.tolerance
@@ -129,14 +128,6 @@ def _after_entry(engagement: Engagement, levels: Floats, r: float) -> NDArray[np
         run = np.cumsum(np.where(here, engagement.lengths, 0.0))
         chosen |= here & (run > ENTRY_TURNS * 2 * np.pi * r)
     return chosen
-
-
-def worst_uncut(request: PocketRequest, pieces: Pieces, levels: Floats) -> MultiPolygon:
-    """Return what stands at the floor where most stands."""
-    r, stock = request.cutter_radius, request.cutting.stock_to_leave
-    reach = reachable_floor(request.pocket, r, stock)
-    found = [uncut_floor(reach, pieces, z, r, request.tolerance) for z in levels]
-    return max(found, key=lambda uncut: uncut.area)
 
 
 def chip_loads(toolpath: Toolpath, engagement: Engagement, feed: float, limit: float) -> Floats:
