@@ -18,12 +18,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from .blocks import Blocks
+from .blocks import SHORTEST, Blocks
 from .machine import CornerRule, Machine
 from .model import Floats
 
-#: Windows around a joint, in blocks to both sides.
-_WINDOWS = (0, 1, 2, 3, 5, 8, 13, 21, 34)
+#: Windows around a joint, in blocks before and after.
+_WINDOWS = ((0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 1), *((k, k) for k in (2, 3, 5, 8, 13, 21)))
 #: Windows in which changes of curvature are measured.
 _CHANGE_WINDOWS = (1, 3, 9)
 #: Joints that turn less are straight [rad].
@@ -62,7 +62,7 @@ def bend_limits(blocks: Blocks, machine: Machine) -> tuple[Floats, Floats]:
         if machine.corner_rule is CornerRule.BLENDING:
             jerks = machine.jerk_along(normals)
             joints = np.minimum(joints, np.cbrt(jerks * joint_radii**2))
-            signed = np.sign(_cross(blocks)) / joint_radii
+            signed = np.sign(_cross(blocks)) / np.maximum(joint_radii, SHORTEST)
             joints = np.minimum(joints, _change_limits(blocks, turns, signed, jerks, tolerance))
     return joints, arcs
 
@@ -103,7 +103,8 @@ def _blended_radii(blocks: Blocks, turns: Floats, tolerance: float) -> tuple[Flo
         span = at[..., last] - at[..., first]
         with np.errstate(divide="ignore", invalid="ignore"):
             reach = tolerance / np.tan(turning / 4)
-            room = (span + halves[..., first] + halves[..., last + 1]) / 2
+            outer = np.minimum(halves[..., first], halves[..., last + 1])
+            room = span / 2 + outer
             radius = np.minimum(reach, room) / np.tan(turning / 2)
         radius = np.where(turning > _STRAIGHT, radius, np.inf)
         return np.where(span <= 2 * reach, radius, 0.0)
@@ -111,10 +112,10 @@ def _blended_radii(blocks: Blocks, turns: Floats, tolerance: float) -> tuple[Flo
     joints, arcs = np.zeros_like(turns), blocks.radii
     is_arc = bool(np.isfinite(arcs).any())
     index = np.arange(count + 1)
-    for k in _WINDOWS:
-        joints = np.maximum(joints, radii(index - k, index + k))
+    for before_, after_ in _WINDOWS:
+        joints = np.maximum(joints, radii(index - before_, index + after_))
         if is_arc:
-            arcs = np.maximum(arcs, radii(index[:-1] - k, index[:-1] + k + 1))
+            arcs = np.maximum(arcs, radii(index[:-1] - before_, index[1:] + after_))
     return joints, arcs
 
 

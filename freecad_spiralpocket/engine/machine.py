@@ -127,5 +127,5 @@ class Machine:
 
 def _along(directions: Floats, limits: Axes) -> Floats:
     """Return the largest length of a vector in each direction that keeps every axis' limit."""
-    with np.errstate(divide="ignore"):
+    with np.errstate(divide="ignore", over="ignore"):
         return np.min(np.asarray(limits) / np.abs(directions), axis=-1)
