@@ -32,6 +32,8 @@ Floats = NDArray[np.float64]
 #: Ends of edges that are closer than this are one corner [mm]; FreeCAD's own limit is 1e-7,
 #: IGES files are coarser.
 GAP = 1e-3
+#: Decimals of points [mm]: a part that was saved and read again gives the same polygon.
+DECIMALS = 7
 #: The largest turn of one piece [rad]: keeps tangents from meeting far away.
 _LARGEST_TURN = np.radians(20)
 #: An S-shaped piece is halved until it is as straight as this [mm]: its tangents do not meet.
@@ -114,7 +116,7 @@ def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floa
     for piece in pieces:
         points.append(piece.start)
         points.extend(_bulge(piece))
-    return np.array(points)
+    return np.round(points, DECIMALS)
 
 
 def _chain(edges: list[list[_Piece]], where: str) -> list[_Piece]:

@@ -9,14 +9,8 @@ import pytest
 def doc():
     """Return an empty document that is closed after the test."""
     document = FreeCAD.newDocument("Test")
+    name = document.Name
     yield document
-    if document.Name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(document.Name)
+    if name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(name)
 
-
-@pytest.fixture(scope="module")
-def module_doc():
-    """Return an empty document that is shared by the tests of a module, which only read it."""
-    document = FreeCAD.newDocument("Shared")
-    yield document
-    FreeCAD.closeDocument(document.Name)

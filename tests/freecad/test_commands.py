@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Toolpaths become commands that every post, dressup and simulator understands."""
+
+import numpy as np
+import pytest
+
+from freecad_spiralpocket.engine.toolpath import Role, ToolpathBuilder
+from freecad_spiralpocket.op import commands
+
+FEED, RAPID = 20.0, 80.0
+
+
+def built(*moves):
+    """Return the commands of a path from (0, 0, 5): moves are (method, arguments)."""
+    builder = ToolpathBuilder((0.0, 0.0, 5.0))
+    for method, *arguments in moves:
+        getattr(builder, method)(*arguments)
+    return commands.from_toolpath(builder.build())
+
+
+def test_first_motion_rises_to_clearance_then_goes_over():
+    first = built(("rapid", RAPID, 1, 2, 5))[:2]
+    assert [(c.Name, c.Parameters) for c in first] == [
+        ("G0", {"Z": 5}),
+        ("G0", {"X": 0, "Y": 0, "Z": 5}),
+    ]
+
+
+def test_moves_carry_all_coordinates_and_feeds_in_mm_per_second():
+    made = built(("rapid", RAPID, 1, 2), ("line", (1, 2, -1), FEED, Role.ENTRY))[2:]
+    assert made[0].Parameters == {"X": 1, "Y": 2, "Z": 5}
+    assert made[1].Parameters == {"X": 1, "Y": 2, "Z": -1, "F": FEED}
+
+
+def test_feeds_can_be_left_out():
+    builder = ToolpathBuilder((0, 0, 0))
+    builder.line((1, 0, 0), FEED, Role.CUT)
+    made = commands.from_toolpath(builder.build(), with_feeds=False)
+    assert not any("F" in c.Parameters for c in made)
+
+
+@pytest.mark.parametrize(("ccw", "name"), [(True, "G3"), (False, "G2")])
+def test_arcs_are_given_by_their_center_from_the_rounded_start(ccw, name):
+    start = (1 / 3, 0.0, 5.0)
+    made = built(
+        ("line", start, FEED, Role.CUT), ("arc", (2 / 3, 1, 4), (0.5, 0.5), ccw, FEED, Role.CUT)
+    )[-1]
+    assert made.Name == name
+    x, y = 0.3333 + made.Parameters["I"], made.Parameters["J"]
+    assert (x, y) == pytest.approx((0.5, 0.5), abs=1e-9)
+
+
+def test_moves_that_vanish_when_posted_are_left_out():
+    made = built(
+        ("line", (1, 0, 5), FEED, Role.CUT),
+        ("line", (1.0003, 0, 5), FEED, Role.CUT),
+        ("arc", (1.0004, 0.0002, 5), (1.0002, 0.1), True, FEED, Role.CUT),
+        ("line", (2, 0, 5), FEED, Role.CUT),
+    )
+    assert [c.x for c in made if c.Name == "G1"] == [1, 2]
+    assert not [c for c in made if c.Name in ("G2", "G3")]
+
+
+def test_an_arc_of_which_only_the_height_is_left_becomes_a_line():
+    made = built(("arc", (0.0002, 0.0002, 4), (0.0001, 0.0), True, FEED, Role.ENTRY))[-1]
+    assert made.Name == "G1" and made.z == 4
+
+
+def test_nothing_is_a_negative_zero():
+    made = built(("line", (-1e-9, -1e-9, 1), FEED, Role.CUT))[-1]
+    assert not any(np.signbit(v) for v in made.Parameters.values())
+
+
+def test_comments_hold_no_parentheses_and_only_ascii():
+    text = commands.comment("Tasche (für\nden Test); 3 ° weit").toGCode()
+    assert text == "(Tasche [f?r den Test], 3 ? weit)"
+
+
+def test_joined_pockets_repeat_no_rapid_and_end_without_the_lift():
+    one = built(("line", (1, 0, -1), FEED, Role.CUT), ("rapid", RAPID, None, None, 5))
+    two = commands.join([one, one])
+    assert [c.Name for c in two].count("G1") == 2
+    pairs = list(zip(two[:-1], two[1:], strict=True))
+    assert not any(a.Parameters == b.Parameters for a, b in pairs)
+    assert commands.without_last_lift(two)[-1].Name == "G1"
