@@ -26,13 +26,14 @@ from .model import Floats
 from .neighbors import Neighbors, neighborhoods, pairs_of
 from .rim import Gaps, cleared_by_arcs, cleared_by_lines, standing
 from .sampling import Samples, between, merge_order, merged, take_samples
+from .levels_alike import find_twins
 from .swept import SAME_HEIGHT, Pieces, cut_into_pieces
 from .toolpath import Toolpath
 
 #: Distance of samples, in cutter radii: everywhere, and where the angle changes.
 SPACING, FINE_SPACING = 0.2, 0.05
 #: Between neighbors that differ by more than this, samples are added [rad].
-JUMP = np.radians(2.0)
+JUMP = np.radians(3.0)
 #: Pieces within this many radii of the cutter center are measured first.
 NEAR = 1.0
 #: Heights of ramps are rounded up to this share of the axial depth.
@@ -88,7 +89,7 @@ def along_path(
         Z of the top of the stock [mm].
     spacing : float, optional
         Largest distance of samples [mm], by default a fifth of the radius. Where neighbors
-        differ by more than 2 degrees they come as close as a quarter of this.
+        differ by more than 3 degrees they come as close as a quarter of this.
 
     Returns
     -------
@@ -127,7 +128,9 @@ def along_path(
 def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float) -> Floats:
     """Return weighted angles [rad] and radial depths [mm], shape (2, k)."""
     n = len(samples)
-    gaps = uncleared(samples, pieces, r)
+    twins = find_twins(samples, pieces)
+    new = twins == np.arange(n)
+    gaps = uncleared(samples.select(new), pieces, r).repeated(np.cumsum(new)[twins] - 1)
     load = _load(gaps, samples, pieces, r, axial_depth, top)
     return np.stack([load, gaps.widths(n, r)])
 
@@ -154,7 +157,9 @@ def _uncleared_here(hood: Neighbors, samples: Samples, r: float, half: float) ->
     here = np.arange(hood.first, hood.last)
     distance = hood.distances()
     near = distance <= NEAR * r
-    gaps = standing(*_intervals(samples, *hood.pairs(near), hood.pieces, r), here, half)
+    rows, piece = hood.pairs(near)
+    pair, low, high = _intervals(samples, rows, piece, hood.pieces, r)
+    gaps = standing(rows[pair], low, high, here, half)
     first, last = gaps.hull(hood.first, n, half)
     middle = (first + last) / 2 + samples.headings[here]
     rim = hood.points + r * np.stack([np.cos(middle), np.sin(middle)])
@@ -162,28 +167,27 @@ def _uncleared_here(hood: Neighbors, samples: Samples, r: float, half: float) ->
     span = 2 * r * np.sin(np.maximum(last - first, 0.0) / 4)
     reach = np.where(first < last, 1.000001 * (r + span), -1.0)
     rest = ~near & (distance <= 2 * r) & hood.within(rim, reach)
-    rims, low, high = _intervals(samples, *hood.pairs(rest), hood.pieces, r)
-    if len(rims) == 0:
-        return gaps
-    return gaps.without(rims, low, high, half)
+    rows, piece = hood.pairs(rest)
+    pair, low, high = _intervals(samples, rows, piece, hood.pieces, r)
+    return gaps.without(rows[pair], low, high, half)
 
 
 def _intervals(
     samples: Samples, rows: NDArray[np.int64], piece: NDArray[np.int64], pieces: Pieces, r: float
 ) -> tuple[NDArray[np.int64], Floats, Floats]:
-    """Return the rim intervals cleared in pairs of sample and piece: sample, low, high."""
+    """Return the rim intervals cleared in pairs of sample and piece: pair, low, high."""
     xy, heading = samples.points[rows, :2], samples.headings[rows]
     arc = pieces.is_arc[piece]
     if not arc.any():
         pair, low, high = cleared_by_lines(xy, heading, pieces, piece, r)
-        return rows[pair], low, high
+        return pair, low, high
     lines, arcs = np.flatnonzero(~arc), np.flatnonzero(arc)
     straight = cleared_by_lines(xy[lines], heading[lines], pieces, piece[lines], r)
     own = samples.pieces[rows[arcs]] == piece[arcs]
     until = np.where(own, samples.fractions[rows[arcs]], 1.0)
     bent = cleared_by_arcs(xy[arcs], heading[arcs], pieces, piece[arcs], r, until, own)
     return (
-        np.concatenate([rows[lines[straight[0]]], rows[arcs[bent[0]]]]),
+        np.concatenate([lines[straight[0]], arcs[bent[0]]]),
         np.concatenate([straight[1], bent[1]]),
         np.concatenate([straight[2], bent[2]]),
     )
@@ -196,28 +200,32 @@ def _load(
 
     It is constant between the heights that earlier motion nearby has left.
     """
-    n, z = len(samples), samples.points[:, 2]
+    z = samples.points[:, 2]
     ceiling = np.minimum(z + axial_depth, top)
-    level, load, angle = z.copy(), np.zeros(n), gaps.angles(n)
+    level, load, angle = z.copy(), np.zeros(len(z)), gaps.angles(len(z))
     heights = _stepped_heights(pieces, top, HEIGHT_STEP * axial_depth)
-    for height in np.unique(heights[heights < top - SAME_HEIGHT]):
-        under = (z + SAME_HEIGHT < height) & (height < ceiling - SAME_HEIGHT) & (angle > 0)
-        rows, piece = pairs_of(
-            samples, np.flatnonzero(under), pieces, np.flatnonzero(heights == height), r
-        )
-        rims, low, high = _intervals(samples, rows, piece, pieces, r)
+    rows, piece = pairs_of(samples, angle > 0, pieces, heights > z.min() + SAME_HEIGHT, r)
+    between = (z[rows] + SAME_HEIGHT < heights[piece]) & (
+        heights[piece] < ceiling[rows] - SAME_HEIGHT
+    )
+    rows, piece = rows[between], piece[between]
+    pair, low, high = _intervals(samples, rows, piece, pieces, r)
+    gaps, _ = gaps.split(np.unique(rows[pair]))
+    for height in np.unique(heights[piece[pair]]):
+        now = heights[piece[pair]] == height
+        rims = rows[pair[now]]
         touched = np.unique(rims)
         load[touched] += angle[touched] * (height - level[touched])
         level[touched] = height
-        gaps = gaps.without(rims, low, high, np.pi / 2)
-        angle = gaps.angles(n)
+        gaps = gaps.without(rims, low[now], high[now], np.pi / 2)
+        angle[touched] = gaps.angles(len(z))[touched]
     load += angle * np.maximum(ceiling - level, 0.0)
     return load / axial_depth
 
 
 def _stepped_heights(pieces: Pieces, top: float, step: float) -> Floats:
     """Return the heights of pieces, those of ramps rounded up; infinite for rapids."""
-    flat = np.ptp(pieces.bottoms, axis=1) < SAME_HEIGHT
+    flat = pieces.is_level
     grain = np.where(flat, SAME_HEIGHT, step)
     steps = np.ceil((pieces.heights - top) / grain - 0.5 * flat)
     return np.where(pieces.rapid, np.inf, top + steps * grain)

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The helical entry: down into solid stock at a ramp angle, then one flat turn.
+"""The way down into solid stock: a helix, or a slot opened in shallow levels.
 
-The cutter center's circle is at most as wide as the cutter's radius, so that
-no post remains in the middle; as wide as fits otherwise, because a wide helix
-sinks more per turn at the same ramp angle. It starts at just the angle that
-makes it end, after whole and part turns, where the spiral begins.
+The helix' circle is at most as wide as the cutter's radius, so that no post
+remains in the middle; as wide as fits otherwise, because a wide helix sinks more
+per turn at the same ramp angle. It starts at just the angle that makes it end,
+after whole and part turns and one flat one, where the spiral begins.
+
+The slot runs round a closed ring, a racetrack about the curve that it opens, in
+flat levels joined by short ramps; one such loop is one level, and the last
+runs on over its own ramp [EAS07's cure for the full slot, flat instead of
+trochoidal: on machines of ordinary acceleration that is several times faster].
 """
 
 from __future__ import annotations
@@ -12,17 +17,19 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from shapely import Point, Polygon
+import shapely
+from shapely import LineString, Point, Polygon
 
 from .errors import CutterDoesNotFitError
-from .model import Entry, Feeds, Floats, Helix
+from .floor import Helix, Slot
+from .model import Entry, Feeds, Floats
 from .toolpath import Role, ToolpathBuilder
 
 #: Radius of the cutter center's circle over R at most: nearly R, and surely no post left.
 WIDEST = 0.94
 #: The same at least: below it the helix is a plunge.
 NARROWEST = 0.05
-#: The helix begins this far above the stock [mm].
+#: The way down begins this far above the stock [mm].
 APPROACH = 0.5
 
 
@@ -64,31 +71,98 @@ def ramp_feed(feeds: Feeds, angle: float) -> float:
     return min(feeds.horizontal, feeds.vertical / math.sin(angle))
 
 
-def helix_start(helix: Helix, angle: float, top: float, bottom: float) -> Floats:
-    """Return where the helix from `top` down to `bottom` begins, (x, y) [mm]."""
-    sweep = (top - bottom) / (helix.radius * math.tan(angle))
-    at = helix.start_angle - sweep
-    return helix.center + helix.radius * np.array([math.cos(at), math.sin(at)])
+def entry_start(entry: Helix | Slot, angle: float, top: float, bottom: float) -> Floats:
+    """Return above which place the entry from `top` to `bottom` begins, (x, y) [mm]."""
+    if isinstance(entry, Helix):
+        return _on_circle(entry, entry.start_angle - _helix_sweep(entry, angle, top, bottom))
+    levels = _slot_levels(entry, top, bottom)
+    ramp = (top - bottom) / levels / math.tan(angle)
+    ring = _closed(entry.ring)
+    return np.array(ring.interpolate(-ramp % ring.length).coords[0])
 
 
-def cut_helix(
-    builder: ToolpathBuilder, helix: Helix, angle: float, bottom: float, feeds: Feeds
+def cut_entry(
+    builder: ToolpathBuilder,
+    entry: Helix | Slot,
+    angle: float,
+    top: float,
+    bottom: float,
+    feeds: Feeds,
 ) -> None:
-    """Add the helix from where the builder is down to `bottom`, and its flat turn.
+    """Add the way down from the stock's `top` to `bottom`, beginning above `entry_start`."""
+    if isinstance(entry, Helix):
+        _cut_helix(builder, entry, angle, top, bottom, feeds)
+    else:
+        _cut_slot(builder, entry, angle, top, bottom, feeds)
 
-    Counter-clockwise, in arcs of half a turn at most.
-    """
-    x, y, top = builder.here
-    at = math.atan2(y - helix.center[1], x - helix.center[0])
-    sweep = (top - bottom) / (helix.radius * math.tan(angle))
+
+def _on_circle(helix: Helix, angle: float) -> Floats:
+    return helix.center + helix.radius * np.array([math.cos(angle), math.sin(angle)])
+
+
+def _helix_sweep(helix: Helix, angle: float, top: float, bottom: float) -> float:
+    """Return the turning of the helix, which begins `APPROACH` above the top [rad]."""
+    return (top + APPROACH - bottom) / (helix.radius * math.tan(angle))
+
+
+def _cut_helix(
+    builder: ToolpathBuilder, helix: Helix, angle: float, top: float, bottom: float, feeds: Feeds
+) -> None:
+    """Add the helix and its flat turn, in arcs of half a turn at most."""
+    begin = builder.here[2]
+    x, y = entry_start(helix, angle, top, bottom)
+    builder.line((x, y, begin), feeds.vertical, Role.ENTRY)
+    sweep = _helix_sweep(helix, angle, top, bottom)
+    at, high = helix.start_angle - sweep, top + APPROACH
     arcs = max(1, math.ceil(sweep / math.pi - 1e-9))
     feed = ramp_feed(feeds, angle)
 
     def turn(to: float, z: float, at_feed: float) -> None:
-        px, py = helix.center + helix.radius * np.array([math.cos(to), math.sin(to)])
+        px, py = _on_circle(helix, to)
         builder.arc((px, py, z), helix.center, True, at_feed, Role.ENTRY)
 
     for i in range(1, arcs + 1):
-        turn(at + sweep * i / arcs, top + (bottom - top) * i / arcs, feed)
-    turn(at + sweep + math.pi, bottom, feeds.horizontal)
-    turn(at + sweep + 2 * math.pi, bottom, feeds.horizontal)
+        z = high + (bottom - high) * i / arcs
+        turn(at + sweep * i / arcs, min(z, begin), feed)
+    turn(helix.start_angle + math.pi, bottom, feeds.horizontal)
+    turn(helix.start_angle + 2 * math.pi, bottom, feeds.horizontal)
+
+
+def _closed(ring: Floats) -> LineString:
+    return LineString(np.vstack([ring, ring[:1]]))
+
+
+def _slot_levels(slot: Slot, top: float, bottom: float) -> int:
+    return max(1, math.ceil((top - bottom) / slot.bite - 1e-9))
+
+
+def _cut_slot(
+    builder: ToolpathBuilder, slot: Slot, angle: float, top: float, bottom: float, feeds: Feeds
+) -> None:
+    """Add the loops of a slot: each begins with a ramp, the last one runs over its ramp again."""
+    ring = _closed(slot.ring)
+    levels = _slot_levels(slot, top, bottom)
+    bite = (top - bottom) / levels
+    ramp = bite / math.tan(angle)
+    end = levels * ring.length
+    corners = np.concatenate(
+        [shapely.line_locate_point(ring, shapely.points(slot.ring)), [ring.length]]
+    )
+    turns = np.arange(-math.ceil(ramp / ring.length), levels + 1)
+    stops = (corners[None, :] + ring.length * turns[:, None]).ravel()
+    # a loop's ramp ends `ramp` after it began, wherever the ring's first point is
+    knees = np.concatenate([ring.length * np.arange(levels) - ramp, ring.length * np.arange(levels)])
+    s = np.unique(np.round(np.concatenate([stops, knees, [end]]), 9))
+    s = s[(s > -ramp + 1e-6) & (s <= end + 1e-9)]
+    heights = np.interp(
+        s,
+        np.sort(knees),
+        np.repeat(top - bite * np.arange(levels + 1), 2)[1:-1],
+    )
+    points = shapely.get_coordinates(shapely.line_interpolate_point(ring, s % ring.length))
+    x, y = entry_start(slot, angle, top, bottom)
+    builder.line((x, y, top), feeds.vertical, Role.ENTRY)
+    steep = ramp_feed(feeds, angle)
+    sinking = np.diff(heights, prepend=top) < -1e-9
+    for (px, py), z, sinks in zip(points, heights, sinking, strict=True):
+        builder.line((px, py, z), steep if sinks else feeds.horizontal, Role.ENTRY)

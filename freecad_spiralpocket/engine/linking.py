@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from shapely import LineString, Polygon
 
@@ -42,3 +44,109 @@ def leave_wall(lap: Floats, region: Polygon, cutter_radius: float) -> Floats:
         if region.buffer(1e-6).covers(LineString(arc)):
             return arc[1:]
     return np.empty((0, 2))
+
+
+#: Handle lengths of a link over the distance of its ends, and absolute over R.
+HANDLES, HANDLES_R = (0.25, 0.5, 0.8, 1.2, 2.0), (2.0, 4.0)
+#: Points of a link when it is timed and tested.
+POINTS = 25
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """What limits motion between cuts.
+
+    Attributes
+    ----------
+    acceleration : float
+        [mm/s2]
+    link_feed, cut_feed : float
+        Top speed of links, and speed of the cuts that they join [mm/s].
+    """
+
+    acceleration: float
+    link_feed: float
+    cut_feed: float
+
+
+def _hermite_basis(count: int) -> Floats:
+    u = np.linspace(0.0, 1.0, count)
+    return np.stack(
+        [2 * u**3 - 3 * u**2 + 1, u**3 - 2 * u**2 + u, -2 * u**3 + 3 * u**2, u**3 - u**2], axis=1
+    )
+
+
+def hermite_links(
+    start: Floats, heading: Floats, ends: Floats, headings: Floats, radius: float, count: int = POINTS
+) -> Floats:
+    """Return candidates for a smooth link, tangent at both ends.
+
+    Parameters
+    ----------
+    start, heading : ndarray of shape (2,)
+        Where it begins, and the unit direction there.
+    ends, headings : ndarray of shape (m, 2)
+        Where it may end, and the unit directions there.
+    radius : float
+        R [mm].
+
+    Returns
+    -------
+    ndarray of shape (m, h, count, 2)
+        h combinations of handle lengths.
+    """
+    distance = np.hypot(*(ends - start).T)
+    handles = np.concatenate(
+        [distance[:, None] * np.array(HANDLES), np.tile(radius * np.array(HANDLES_R), (len(ends), 1))],
+        axis=1,
+    )
+    n = handles.shape[1]
+    one = np.repeat(handles, n, axis=1)[..., None] * 3
+    two = np.tile(handles, (1, n))[..., None] * 3
+    shape = (len(ends), n * n, 2)
+    controls = np.stack(
+        [
+            np.broadcast_to(start, shape),
+            one * heading,
+            np.broadcast_to(ends[:, None], shape),
+            two * headings[:, None],
+        ],
+        axis=2,
+    )
+    return np.einsum("pk,mhkc->mhpc", _hermite_basis(count), controls)
+
+
+def link_times(paths: Floats, motion: Motion) -> Floats:
+    """Return how long each path takes between two cuts [s].
+
+    The speed is bound by the link feed, by the curvature, and by accelerating and braking from
+    and to the cutting feed; where a path begins or ends slower than that, the time that the
+    neighboring cut loses is added.
+
+    Parameters
+    ----------
+    paths : ndarray of shape (..., n, 2)
+        [mm]
+    """
+    d = np.diff(paths, axis=-2)
+    length = np.hypot(d[..., 0], d[..., 1]) + 1e-9
+    cross = d[..., :-1, 0] * d[..., 1:, 1] - d[..., :-1, 1] * d[..., 1:, 0]
+    dot = (d[..., :-1, :] * d[..., 1:, :]).sum(axis=-1)
+    bend = np.abs(np.arctan2(cross, dot)) / (0.5 * (length[..., :-1] + length[..., 1:]))
+    a = motion.acceleration
+    inner = np.minimum(a / (bend + 1e-9), motion.link_feed**2)
+    ends = np.full((*inner.shape[:-1], 1), motion.cut_feed**2)
+    square = np.concatenate([ends, inner, ends], axis=-1)
+    climb = 2 * a * np.concatenate(
+        [np.zeros((*length.shape[:-1], 1)), np.cumsum(length, axis=-1)], axis=-1
+    )
+    forward = np.minimum.accumulate(square - climb, axis=-1) + climb
+    back = np.flip(
+        np.minimum.accumulate(np.flip(square + climb, axis=-1), axis=-1), axis=-1
+    ) - climb
+    v = np.sqrt(np.maximum(np.minimum(forward, back), 1e-6))
+    time = (2 * length / (v[..., :-1] + v[..., 1:])).sum(axis=-1)
+    lost = ((motion.cut_feed - v[..., 0]) ** 2 + (motion.cut_feed - v[..., -1]) ** 2) / (
+        2 * a * motion.cut_feed
+    )
+    return time + lost

@@ -125,6 +125,10 @@ class Machine:
         return _along(directions, self.jerk)
 
 
+#: When nothing is known about the machine.
+MIDDLING = Machine("Middling", (200.0,) * 3, (1000.0,) * 3)
+
+
 def _along(directions: Floats, limits: Axes) -> Floats:
     """Return the largest length of a vector in each direction that keeps every axis' limit."""
     with np.errstate(divide="ignore", over="ignore"):

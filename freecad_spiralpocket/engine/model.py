@@ -2,8 +2,8 @@
 """The records that flow through the engine, from the request to the report.
 
 `PocketRequest` goes in; a strategy turns each cutter-center region into a
-`FloorPath` in the plane; the levels turn that into a `Toolpath` (toolpath.py);
-the proof measures it; `Plan` with its `Report` comes out. Records are frozen
+`FloorPath` in the plane (floor.py); the levels turn that into a `Toolpath`
+(toolpath.py); the proof measures it; `Plan` with its `Report` comes out. Records are frozen
 and hold numpy arrays and shapely polygons; nobody changes one in place.
 
 Units are mm, s and rad; feeds are mm/s as in FreeCAD. The spindle turns
@@ -26,6 +26,7 @@ from .errors import tell
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
 
+    from .machine import Machine
     from .toolpath import Toolpath
 
 Floats = NDArray[np.float64]
@@ -44,6 +45,7 @@ class CutMode(Enum):
 class Strategy(Enum):
     """How the laps are made; the value is what the machinist reads."""
 
+    AUTOMATIC = "Automatic"
     LINEAR_MORPH = "Linear Morph"
 
 
@@ -114,10 +116,14 @@ class Entry:
     max_diameter : float
         Limit of the diameter of the cutter center's circle [mm]; 0 or more than the cutter's
         diameter: as wide as fits without leaving a post.
+    slot_bite : float
+        Axial depth of each level in which a slot is opened [mm]; 0: the depth that removes as
+        much per time as the step-over at the full depth does, and at most 0.3 D.
     """
 
     helix_angle: float = np.radians(5.0)
     max_diameter: float = 0.0
+    slot_bite: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,6 +141,8 @@ class PocketRequest:
     strategy : Strategy
     tolerance : float
         Largest deviation of the emitted path from the exact curve [mm].
+    machine : Machine or None
+        On which machine the time is to be least; None for a middling one.
     """
 
     pocket: Polygon
@@ -143,8 +151,9 @@ class PocketRequest:
     feeds: Feeds
     cutting: Cutting
     entry: Entry = Entry()
-    strategy: Strategy = Strategy.LINEAR_MORPH
+    strategy: Strategy = Strategy.AUTOMATIC
     tolerance: float = 0.01
+    machine: Machine | None = None
 
     @property
     def cutter_radius(self) -> float:
@@ -173,51 +182,6 @@ class SplineCurve:
     degree: int
     knots: Floats
     control_points: Floats
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Helix:
-    """A helical entry that ends with one flat turn.
-
-    Attributes
-    ----------
-    center : ndarray of shape (2,)
-        [mm]
-    radius : float
-        Of the cutter center's circle [mm].
-    start_angle : float
-        Where it begins and ends, [rad] from the X axis.
-    """
-
-    center: Floats
-    radius: float
-    start_angle: float = 0.0
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class FloorPath:
-    """What one cutter-center region needs at any level, in the plane.
-
-    It is for climb milling: counter-clockwise outwards.
-
-    Attributes
-    ----------
-    entry : Helix
-    spiral : ndarray of shape (n, 2)
-        From the end of the entry to the wall [mm].
-    closing_lap : ndarray of shape (m, 2)
-        Along the wall, once round.
-    leave : ndarray of shape (k, 2)
-        From the end of the closing lap off the wall, through cleared ground; may be empty.
-    curve : SplineCurve or None
-        The exact curve behind `spiral`, where the strategy has one.
-    """
-
-    entry: Helix
-    spiral: Floats
-    closing_lap: Floats
-    leave: Floats
-    curve: SplineCurve | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -116,21 +116,22 @@ def neighborhoods(samples: Samples, pieces: Pieces, cutter_radius: float) -> Ite
 
 def pairs_of(
     samples: Samples,
-    rows: NDArray[np.int64],
+    asking: NDArray[np.bool_],
     pieces: Pieces,
-    index: NDArray[np.int64],
+    wanted: NDArray[np.bool_],
     cutter_radius: float,
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return those pairs of the given samples and pieces, whose boxes meet within 2 r.
+    """Return pairs of asking samples and wanted earlier pieces, whose boxes meet within 2 r.
 
-    The piece of each pair is earlier than the sample; for few pieces, of any height.
+    For few pieces, of any height; rapids are left out.
     """
+    rows, index = np.flatnonzero(asking), np.flatnonzero(wanted & ~pieces.rapid)
     if len(rows) == 0 or len(index) == 0:
         return rows[:0], index[:0]
-    xy = samples.points[rows, :2]
-    tree = shapely.STRtree(shapely.box(*pieces.bounds[index].T))
+    tree = shapely.STRtree(shapely.points(samples.points[rows, :2]))
+    box = pieces.bounds[index]
     reach = 2 * cutter_radius
-    row, piece = tree.query(shapely.box(*(xy - reach).T, *(xy + reach).T))
+    piece, row = tree.query(shapely.box(*(box[:, :2] - reach).T, *(box[:, 2:] + reach).T))
     row, piece = rows[row], index[piece]
     earlier = piece < samples.pieces[row]
     return row[earlier], piece[earlier]

@@ -18,11 +18,11 @@ from shapely.geometry.polygon import orient
 from .checks import check_request
 from .dependencies import require_libraries
 from .errors import CancelledError, ProofError, SpiralPocketError
-from .laps import linear_morph
+from .floor import FloorPath
+from .laps import automatic, linear_morph
 from .levels import floors
 from .model import (
     CutMode,
-    FloorPath,
     Notice,
     Plan,
     PocketRequest,
@@ -38,6 +38,7 @@ from .verify import prove
 GOUGE_SLACK = 0.005
 
 _STRATEGIES: dict[Strategy, Callable[[Polygon, PocketRequest], FloorPath]] = {
+    Strategy.AUTOMATIC: automatic.floor_path,
     Strategy.LINEAR_MORPH: linear_morph.floor_path,
 }
 

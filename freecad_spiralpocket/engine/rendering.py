@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From plane paths and levels to moves: entry, spiral, closing lap, lift, next level.
+"""From plane paths and levels to moves: entry, passes, lifts, next level.
 
 A room is cut down to its floor before the next one is begun. Between levels
 of a room the cutter only lifts to the safe height, between rooms to the
@@ -10,8 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .entry import APPROACH, cut_helix, helix_start
-from .model import FloorPath, PocketRequest
+from .entry import APPROACH, cut_entry, entry_start
+from .floor import FloorPath
+from .model import PocketRequest
 from .toolpath import Role, Toolpath, ToolpathBuilder
 
 
@@ -27,14 +28,13 @@ def render(paths: Sequence[FloorPath], levels: Sequence[float], request: PocketR
     request : PocketRequest
         For its heights, feeds and helix angle.
     """
-    heights, angle = request.heights, request.entry.helix_angle
+    heights = request.heights
     tops = [heights.start_depth, *levels[:-1]]
-    begin = [min(top + APPROACH, heights.safe) for top in tops]
-    x, y = helix_start(paths[0].entry, angle, begin[0], levels[0])
+    x, y = entry_start(paths[0].entry, request.entry.helix_angle, tops[0], levels[0])
     builder = ToolpathBuilder((x, y, heights.clearance))
     for path in paths:
         lift = heights.clearance
-        for top, bottom in zip(begin, levels, strict=True):
+        for top, bottom in zip(tops, levels, strict=True):
             _cut_level(builder, path, top, bottom, lift, request)
             lift = heights.safe
         builder.rapid(request.feeds.vertical_rapid, z=heights.clearance)
@@ -49,13 +49,18 @@ def _cut_level(
     lift: float,
     request: PocketRequest,
 ) -> None:
-    """Add one level of one region: over to it at height `lift`, down, and all round."""
-    feeds, angle = request.feeds, request.entry.helix_angle
-    x, y = helix_start(path.entry, angle, top, bottom)
+    """Add one level of one region: over to it at height `lift`, down, and all passes."""
+    feeds, angle, safe = request.feeds, request.entry.helix_angle, request.heights.safe
     builder.rapid(feeds.vertical_rapid, z=lift)
-    builder.rapid(feeds.horizontal_rapid, x, y)
-    builder.rapid(feeds.vertical_rapid, z=top)
-    cut_helix(builder, path.entry, angle, bottom, feeds)
-    builder.polyline(path.spiral, bottom, feeds.horizontal, Role.CUT)
-    builder.polyline(path.closing_lap, bottom, feeds.horizontal, Role.FINISH)
-    builder.polyline(path.leave, bottom, feeds.horizontal, Role.LINK)
+    builder.rapid(feeds.horizontal_rapid, *entry_start(path.entry, angle, top, bottom))
+    builder.rapid(feeds.vertical_rapid, z=min(top + APPROACH, safe))
+    cut_entry(builder, path.entry, angle, top, bottom, feeds)
+    for part in path.passes:
+        if part.role is Role.AIR:
+            builder.rapid(feeds.vertical_rapid, z=safe)
+            builder.rapid(feeds.horizontal_rapid, *part.points[-1])
+            builder.rapid(feeds.vertical_rapid, z=min(bottom + APPROACH, safe))
+            builder.line((*part.points[-1], bottom), feeds.vertical, Role.LINK)
+        else:
+            feed = feeds.horizontal_rapid if part.role is Role.LINK else feeds.horizontal
+            builder.polyline(part.points, bottom, feed, part.role)

@@ -186,8 +186,7 @@ class Gaps:
 
     def without(self, rims: NDArray[np.int64], low: Floats, high: Floats, half: float) -> Gaps:
         """Return what is left when these intervals, given as in `standing`, are cleared too."""
-        touched = np.isin(self.rims, rims)
-        mine = Gaps(self.rims[touched], self.begins[touched], self.ends[touched])
+        mine, others = self.split(rims)
         known = np.isin(rims, mine.rims)
         cleared = mine._complement(half)
         rest = standing(
@@ -197,11 +196,24 @@ class Gaps:
             mine.rims[mine._firsts()],
             half,
         )
-        both = Gaps.joined(
-            [Gaps(self.rims[~touched], self.begins[~touched], self.ends[~touched]), rest]
-        )
+        both = Gaps.joined([others, rest])
         order = np.lexsort((both.begins, both.rims))
         return Gaps(both.rims[order], both.begins[order], both.ends[order])
+
+    def split(self, rims: NDArray[np.int64]) -> tuple[Gaps, Gaps]:
+        """Return the gaps of the given rims, and the others."""
+        mine = np.isin(self.rims, rims)
+        fields = self.rims, self.begins, self.ends
+        return Gaps(*(f[mine] for f in fields)), Gaps(*(f[~mine] for f in fields))
+
+    def repeated(self, sources: NDArray[np.int64]) -> Gaps:
+        """Return gaps where rim i has those that rim ``sources[i]`` has here."""
+        first = np.searchsorted(self.rims, sources, side="left")
+        count = np.searchsorted(self.rims, sources, side="right") - first
+        rims = np.repeat(np.arange(len(sources)), count)
+        place = np.arange(len(rims)) - np.repeat(np.cumsum(count) - count, count)
+        index = first[rims] + place
+        return Gaps(rims, self.begins[index], self.ends[index])
 
     @staticmethod
     def joined(parts: Sequence[Gaps]) -> Gaps:

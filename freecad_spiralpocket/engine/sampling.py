@@ -52,6 +52,10 @@ class Samples:
         """Return the number of samples."""
         return len(self.pieces)
 
+    def select(self, chosen: NDArray[np.generic]) -> Samples:
+        """Return the chosen samples (indices or a mask), in their order."""
+        return Samples(*(getattr(self, name)[chosen] for name in self.__slots__))
+
     @property
     def lengths(self) -> Floats:
         """Return the length of path each one stands for, shape (k,) [mm]."""
@@ -60,34 +64,43 @@ class Samples:
 
 
 def take_samples(pieces: Pieces, cutter_radius: float, spacing: float) -> Samples:
-    """Place samples at most `spacing` [mm] apart and at kinks."""
+    """Place samples at most `spacing` [mm] apart in every run, and at its ends.
+
+    A run is level or a ramp throughout and has no kink, so equal levels get equal samples.
+    """
     lengths = pieces.lengths
-    done = np.cumsum(lengths)
     moving = np.flatnonzero(lengths > 0)
     if len(moving) == 0:
         return _samples_at(pieces, moving, np.zeros(0))
-    count = int(np.ceil(done[-1] / spacing))
-    marks = (np.arange(count) + 0.5) * done[-1] / count
+    broken = np.flatnonzero(_breaks(pieces, moving[:-1], moving[1:]))
+    before = np.r_[moving[broken], moving[-1:]]
+    after = np.r_[moving[:1], moving[broken + 1]]
+    done = np.cumsum(lengths)
+    begin, end = done[after] - lengths[after], done[before]
+    count = np.maximum(np.ceil((end - begin) / spacing), 1).astype(np.int64)
+    run = np.repeat(np.arange(len(count)), count)
+    place = np.arange(len(run)) - np.repeat(np.cumsum(count) - count, count)
+    marks = begin[run] + (place + 0.5) * (end - begin)[run] / count[run]
     index, fraction = _locate(done, lengths, marks)
-    here, following = moving[:-1], moving[1:]
-    turn = pieces.directions(following, np.zeros(len(here)))
-    turn = turn - pieces.directions(here, np.ones(len(here)))
-    turn = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
-    apart = np.hypot(*(pieces.starts[following] - pieces.ends[here]).T) > ROUNDING
-    broken = np.flatnonzero((turn > KINK) | apart | (following != here + 1))
-    before = np.r_[here[broken], moving[-1:]]
-    after = np.r_[moving[:1], following[broken]]
+    start = np.minimum(AFTER_KINK * cutter_radius / lengths[after], 1.0)
     return _samples_at(
         pieces,
         np.concatenate([index, before, after]),
-        np.concatenate(
-            [
-                fraction,
-                np.ones(len(before)),
-                np.minimum(AFTER_KINK * cutter_radius / lengths[after], 1.0),
-            ]
-        ),
+        np.concatenate([fraction, np.ones(len(before)), start]),
     )
+
+
+def _breaks(
+    pieces: Pieces, here: NDArray[np.int64], following: NDArray[np.int64]
+) -> NDArray[np.bool_]:
+    """Return where a run ends between a piece and the next one that moves in the plane."""
+    turn = pieces.directions(following, np.zeros(len(here)))
+    turn = turn - pieces.directions(here, np.ones(len(here)))
+    kink = np.abs((turn + np.pi) % (2 * np.pi) - np.pi) > KINK
+    apart = np.hypot(*(pieces.starts[following] - pieces.ends[here]).T) > ROUNDING
+    level = pieces.is_level
+    ramp = level[here] != level[following]
+    return kink | apart | ramp | (following != here + 1)
 
 
 def between(
@@ -112,7 +125,7 @@ def merge_order(one: Samples, other: Samples) -> NDArray[np.int64]:
 
 def merged(one: Samples, other: Samples, order: NDArray[np.int64]) -> Samples:
     """Return the samples of both in the given order."""
-    fields = ("points", "headings", "pieces", "fractions", "distances")
+    fields = Samples.__slots__
     return Samples(*(np.concatenate([getattr(one, f), getattr(other, f)])[order] for f in fields))
 
 

@@ -69,6 +69,11 @@ class Pieces:
         return self.sweeps != 0.0
 
     @property
+    def is_level(self) -> NDArray[np.bool_]:
+        """Return which pieces stay at one height, shape (n,)."""
+        return np.abs(self.bottoms[:, 1] - self.bottoms[:, 0]) < SAME_HEIGHT
+
+    @property
     def lengths(self) -> Floats:
         """Return the length in the plane, shape (n,) [mm]."""
         flat = np.hypot(*(self.ends - self.starts).T)

@@ -110,7 +110,7 @@ def _is_rapid(toolpath: Toolpath, engagement: Engagement) -> NDArray[np.bool_]:
 
 def floors(pieces: Pieces, bottom: float) -> Floats:
     """Return the Z of the floors that the path clears, descending; always with `bottom` [mm]."""
-    flat = (np.ptp(pieces.bottoms, axis=1) < SAME_HEIGHT) & ~pieces.rapid
+    flat = pieces.is_level & ~pieces.rapid
     z = np.round(pieces.heights[flat] / SAME_HEIGHT) * SAME_HEIGHT
     found, index = np.unique(z, return_inverse=True)
     lengths = np.bincount(index, pieces.lengths[flat], minlength=len(found))

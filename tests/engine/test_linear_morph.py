@@ -65,7 +65,7 @@ def test_spiral_is_c2(pocket):
 def test_circle_gives_the_archimedean_spiral():
     region, path = spiral_of(CIRCLE)
     center = np.array([10.0, 5.0])
-    rays = path.spiral - center
+    rays = path.passes[0].points - center
     radius = np.hypot(rays[:, 0], rays[:, 1])
     turned = np.concatenate(
         [[0.0], np.cumsum(np.mod(np.diff(np.arctan2(rays[:, 1], rays[:, 0])), 2 * np.pi))]
@@ -85,9 +85,9 @@ def test_any_convex_pocket_gets_nested_laps_inside_its_region(pocket):
     except CutterDoesNotFitError:
         assert regions[0].buffer(-0.2).is_empty
         return
-    assert regions[0].buffer(1e-6).covers(LineString(path.spiral))
-    assert LineString(path.spiral).is_simple
-    assert regions[0].buffer(0.01).covers(LineString(path.closing_lap))
+    assert regions[0].buffer(1e-6).covers(LineString(path.passes[0].points))
+    assert LineString(path.passes[0].points).is_simple
+    assert regions[0].buffer(0.01).covers(LineString(path.passes[1].points))
 
 
 @pytest.mark.parametrize(
@@ -102,7 +102,7 @@ def test_pockets_beyond_it_are_refused_with_a_reason(pocket, said):
 
 def test_star_shaped_pocket_is_cut_from_where_its_wall_is_seen():
     region, path = spiral_of(L_SHAPE)
-    assert region.covers(LineString(path.spiral))
+    assert region.covers(LineString(path.passes[0].points))
 
 
 def test_spline_through_a_wall_keeps_its_points():

@@ -12,10 +12,16 @@ from hypothesis import strategies as st
 from shapely import Point, box
 from shapes import DUMBBELL, FEEDS, HEIGHTS
 
-from freecad_spiralpocket.engine.entry import cut_helix, fit_helix_radius, helix_start, ramp_feed
+from freecad_spiralpocket.engine.entry import (
+    cut_entry,
+    entry_start,
+    fit_helix_radius,
+    ramp_feed,
+)
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
+from freecad_spiralpocket.engine.floor import Helix, Slot
 from freecad_spiralpocket.engine.levels import floors
-from freecad_spiralpocket.engine.model import Entry, Heights, Helix
+from freecad_spiralpocket.engine.model import Entry, Heights
 from freecad_spiralpocket.engine.region import center_regions, unreachable_notices
 from freecad_spiralpocket.engine.toolpath import Kind, ToolpathBuilder
 
@@ -71,9 +77,9 @@ def test_full_steps_come_first_as_in_freecads_operations():
 def test_helix_descends_at_its_angle_and_ends_where_the_spiral_begins(degrees):
     angle = math.radians(degrees)
     helix = Helix(np.array([5.0, -2.0]), 2.8, 0.7)
-    x, y = helix_start(helix, angle, 0.5, -5.0)
+    x, y = entry_start(helix, angle, 0.0, -5.0)
     builder = ToolpathBuilder((x, y, 0.5))
-    cut_helix(builder, helix, angle, -5.0, FEEDS)
+    cut_entry(builder, helix, angle, 0.0, -5.0, FEEDS)
     toolpath = builder.build()
     assert (np.abs(toolpath.sweeps) <= math.pi + 1e-9).all()
     assert (toolpath.kinds == Kind.ARC_CCW).all()
@@ -84,6 +90,26 @@ def test_helix_descends_at_its_angle_and_ends_where_the_spiral_begins(degrees):
     assert flat[-2:].sum() == pytest.approx(2 * math.pi * helix.radius)
     end = helix.center + 2.8 * np.array([math.cos(0.7), math.sin(0.7)])
     np.testing.assert_allclose(toolpath.points[-1], [*end, -5.0], atol=1e-9)
+
+
+@pytest.mark.parametrize("depth", [1.0, 5.0])
+def test_slot_sinks_by_its_bite_a_loop_and_ends_flat_where_its_ring_begins(depth):
+    ring = np.array(box(0, 0, 40, 6).exterior.coords)[:-1][::-1]
+    slot, angle = Slot(ring, 1.8), math.radians(5)
+    x, y = entry_start(slot, angle, 0.0, -depth)
+    builder = ToolpathBuilder((x, y, 0.5))
+    cut_entry(builder, slot, angle, 0.0, -depth, FEEDS)
+    toolpath = builder.build()
+    along = np.cumsum(np.hypot(*(toolpath.points - toolpath.starts)[:, :2].T))
+    levels = math.ceil(depth / 1.8)
+    ramp = depth / levels / math.tan(angle)
+    assert along[-1] == pytest.approx(92 * levels + ramp)
+    drop = toolpath.starts[:, 2] - toolpath.points[:, 2]
+    flat = np.hypot(*(toolpath.points - toolpath.starts)[:, :2].T)
+    assert (drop[1:] <= flat[1:] * math.tan(angle) + 1e-9).all() and (drop >= -1e-12).all()
+    last_lap = along > along[-1] - 92 + 1e-6
+    assert (toolpath.points[last_lap, 2] == pytest.approx(-depth))
+    np.testing.assert_allclose(toolpath.points[-1], [*ring[0], -depth], atol=1e-9)
 
 
 def test_ramp_feed_keeps_both_feeds():

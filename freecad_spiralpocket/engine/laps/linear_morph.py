@@ -27,12 +27,14 @@ from shapely import Point, Polygon
 
 from ..entry import fit_helix_radius
 from ..errors import NotYetError
+from ..floor import FloorPath, Helix, Pass
 from ..linking import leave_wall
-from ..model import FloorPath, Floats, Helix, PocketRequest
+from ..model import Floats, PocketRequest
 from ..polyline import ring_from, simplify_inside, turning_samples
 from ..region import grow, polygons_of
 from ..splines import join_c2, multiply_linear, periodic_beziers, periodic_cubic, sample_beziers
 from ..starshape import deepest_center
+from ..toolpath import Role
 
 #: Fillet radius of the rounded wall over the step-over.
 ROUNDING = 1.0
@@ -75,7 +77,9 @@ def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
         lap = simplify_inside(wall, region, request.tolerance / 2)
     else:
         lap = sample_beziers(periodic_beziers(breaks, outer), request.tolerance / 2)
-    return FloorPath(helix, spiral, lap, leave_wall(lap, region, request.cutter_radius), curve)
+    leave = leave_wall(lap, region, request.cutter_radius)
+    passes = (Pass(spiral, Role.CUT), Pass(lap, Role.FINISH), Pass(leave, Role.LINK))
+    return FloorPath(helix, passes, curve)
 
 
 def _middle(region: Polygon) -> Floats:

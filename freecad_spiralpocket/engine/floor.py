@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a strategy makes of one cutter-center region: an entry and passes, in the plane.
+
+A floor path is the same at every level; only the entry's way down depends on
+how deep the level is. It is for climb milling, outwards counter-clockwise.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .model import Floats, SplineCurve
+from .toolpath import Role
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Helix:
+    """A helical entry that ends with one flat turn.
+
+    Attributes
+    ----------
+    center : ndarray of shape (2,)
+        [mm]
+    radius : float
+        Of the cutter center's circle [mm].
+    start_angle : float
+        Where it ends, [rad] from the X axis.
+    """
+
+    center: Floats
+    radius: float
+    start_angle: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Slot:
+    """An entry along a closed ring, in flat levels joined by short ramps.
+
+    Attributes
+    ----------
+    ring : ndarray of shape (n, 2)
+        Counter-clockwise; begins where the entry ends, the first point is not repeated [mm].
+    bite : float
+        Largest axial depth of one level [mm].
+    """
+
+    ring: Floats
+    bite: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pass:
+    """One uninterrupted motion at the floor.
+
+    Attributes
+    ----------
+    points : ndarray of shape (n, 2)
+        It goes on to each of these in turn [mm]. For `Role.AIR`: lift, go over to the last, and
+        down again.
+    role : Role
+    """
+
+    points: Floats
+    role: Role
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FloorPath:
+    """All motion in one region at one level.
+
+    Attributes
+    ----------
+    entry : Helix or Slot
+    passes : tuple of Pass
+        In order, the first from the end of the entry.
+    curve : SplineCurve or None
+        The exact curve behind the spiral, where the strategy has one.
+    """
+
+    entry: Helix | Slot
+    passes: tuple[Pass, ...]
+    curve: SplineCurve | None = None

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Growing fronts: from the region already visited to the next, engagement held.
+
+`C` is the set of places where the cutter's center has been (or could go without
+cutting). Its boundary moves outwards by a step that keeps the engagement angle at
+the limit: on a straight front the step-over, on a convex one less, because the
+cutter meets more stock there. With the cleared edge's radius
+``rho = R + 1 / curvature`` the step is
+``a = R - rho - R cos(limit) + sqrt(rho^2 - R^2 sin(limit)^2)``: constant
+engagement on a growing disc, exactly.
+
+Two morphological filters keep the fronts smooth. A closing rounds reentrant
+kinks; an opening makes every front leave and join the walls tangentially. What
+the opening keeps from being reached, the corners, is taken at the end, each in as
+few strokes as the limit allows. The family of laps is CS08's circular spiral
+grown to the walls, or EAS07's extended Archimedean spiral where it starts from
+a curve, with the step measured by engagement instead of distance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy.ndimage import gaussian_filter1d, maximum_filter1d
+from shapely import MultiPolygon, Polygon
+
+from .model import Floats
+from .region import polygons_of
+
+Region = Polygon | MultiPolygon
+
+
+@dataclass(frozen=True, slots=True)
+class FrontRules:
+    """What governs the growth.
+
+    Attributes
+    ----------
+    cutter_radius : float
+        R [mm].
+    limit : float
+        Largest engagement angle [rad], in ``(0, pi)``.
+    closing : float
+        Least radius of reentrant curves [mm].
+    fillet : float
+        Radius with which fronts meet walls [mm].
+    """
+
+    cutter_radius: float
+    limit: float
+    closing: float
+    fillet: float
+
+    @property
+    def stepover(self) -> float:
+        """Return the step of a straight front [mm]."""
+        return self.cutter_radius * (1 - float(np.cos(self.limit)))
+
+
+def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:
+    """Return the step that keeps the engagement at the limit.
+
+    Parameters
+    ----------
+    curvature : ndarray of shape (n,)
+        Of the front, positive where convex [1/mm]; concave counts as straight.
+    rules : FrontRules
+
+    Returns
+    -------
+    ndarray of shape (n,)
+        [mm], in ``(0, stepover]``.
+    """
+    r, limit = rules.cutter_radius, rules.limit
+    k = np.maximum(curvature, 1e-6)
+    rho = r + 1 / k
+    root = np.sqrt(rho**2 - (r * np.sin(limit)) ** 2)
+    # rho - root without cancellation
+    return r * (1 - np.cos(limit)) - (r * np.sin(limit)) ** 2 / (rho + root)
+
+
+def buffer(shape: Region, distance: float) -> Region:
+    """Grow or shrink within 0.004 mm."""
+    step = 2 * np.arccos(1 - min(0.5, 0.004 / max(abs(distance), 1e-6)))
+    return shapely.buffer(shape, distance, quad_segs=max(4, int(np.ceil(np.pi / 2 / step))))
+
+
+def smooth(shape: Region, closing: float, fillet: float, omega: Polygon) -> Region:
+    """Return `shape` within `omega`, reentrant kinks closed, met walls filleted."""
+    if closing > 0:
+        shape = buffer(buffer(shape, closing), -closing)
+    shape = shapely.intersection(shape, omega)
+    if fillet > 0:
+        shape = buffer(buffer(shape, -fillet), fillet)
+    return shape
+
+
+def ring_samples(ring: shapely.LinearRing, spacing: float) -> Floats:
+    """Return evenly spaced points of a ring, shape (n, 2) [mm]."""
+    coords = shapely.get_coordinates(ring)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
+    count = max(16, int(np.ceil(along[-1] / spacing)))
+    at = np.arange(count) * along[-1] / count
+    return np.column_stack([np.interp(at, along, coords[:, i]) for i in (0, 1)])
+
+
+def _stepped_ring(ring: shapely.LinearRing, omega: Polygon, rules: FrontRules) -> Floats:
+    """Return a ring moved outwards by the step; parts on the wall stay."""
+    spacing = 0.1 * rules.cutter_radius * 2
+    points = ring_samples(ring, spacing)
+    soft = gaussian_filter1d(points, 2.0, axis=0, mode="wrap")
+    tangent = (np.roll(soft, -1, axis=0) - np.roll(soft, 1, axis=0)) / 2
+    bend = np.roll(soft, -1, axis=0) - 2 * soft + np.roll(soft, 1, axis=0)
+    speed = np.hypot(tangent[:, 0], tangent[:, 1]) + 1e-12
+    curvature = (tangent[:, 0] * bend[:, 1] - tangent[:, 1] * bend[:, 0]) / speed**3
+    on_wall = shapely.dwithin(omega.boundary, shapely.points(points), 0.02)
+    curvature = np.where(on_wall, 0.0, np.maximum(curvature, 0.0))
+    width = max(3, int(round(2.0 / spacing)) | 1)
+    curvature = maximum_filter1d(curvature, width, mode="wrap")
+    curvature = gaussian_filter1d(curvature, 3.0 / spacing, mode="wrap")
+    step = np.where(on_wall, 0.0, engagement_step(curvature, rules))
+    normal = np.column_stack([tangent[:, 1], -tangent[:, 0]]) / speed[:, None]
+    return points + step[:, None] * normal
+
+
+def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Region:
+    """Return the visited region after one more lap or set of strokes.
+
+    Parameters
+    ----------
+    visited : shapely.Polygon
+        C, exterior counter-clockwise, interiors clockwise.
+    omega : shapely.Polygon
+        The cutter-center region; contains `visited`.
+    """
+    shell = _stepped_ring(visited.exterior, omega, rules)
+    holes = []
+    for ring in visited.interiors:
+        hole = _stepped_ring(ring, omega, rules)
+        x, y = hole[:, 0], hole[:, 1]
+        if (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() < 0:  # not turned inside out
+            holes.append(hole)
+    moved = Polygon(shell, holes)
+    if not moved.is_valid:
+        least = float(engagement_step(np.array([1 / rules.fillet]), rules)[0])
+        moved = shapely.union(shapely.make_valid(moved), buffer(visited, least))
+    moved = smooth(moved, rules.closing, rules.fillet, omega)
+    moved = shapely.union(moved, visited)
+    return shapely.simplify(moved, 0.002)
+
+
+def largest(shape: Region) -> Polygon:
+    """Return the largest polygon of a region, counter-clockwise."""
+    return polygons_of(shape)[0]
+
+
+#: Growth ends when a step adds less than this share of the last stroke's area.
+STALLED = 0.02
+#: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
+MAX_FRONTS = 2000
+#: Fillet radii tried in the corners, over R; the smallest whose bite keeps below the share of the
+#: step-over is taken at once.
+CORNER_FILLETS = (0.0, 0.17, 0.27, 0.4, 0.57, 0.77, 1.0, 1.3)
+CORNER_BITE, LAST_BITE = 0.65, 0.73
+
+
+def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
+    """Return the visited region after the entry and after each level of laps and strokes.
+
+    Parameters
+    ----------
+    start : shapely.Polygon
+        Visited by the entry.
+    omega : shapely.Polygon
+        The cutter-center region.
+
+    Returns
+    -------
+    list of shapely.Polygon
+        Nested, from `start` to `omega` itself.
+    """
+    fronts = [oriented(start)]
+    for _ in range(MAX_FRONTS):
+        grown = oriented(largest(advance(fronts[-1], omega, rules)))
+        gain = grown.area - fronts[-1].area
+        if gain < STALLED * rules.stepover * rules.cutter_radius:
+            break
+        fronts.append(grown)
+    return fronts + finish_corners(fronts[-1], omega, rules)
+
+
+def oriented(shape: Polygon) -> Polygon:
+    """Return `shape` with its exterior counter-clockwise and its interiors clockwise."""
+    return shapely.geometry.polygon.orient(shape)
+
+
+def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
+    """Return the levels that take the corners, each in as few steps as the limit allows."""
+    opened = [
+        omega if share == 0 else buffer(buffer(omega, -share * rules.cutter_radius), share * rules.cutter_radius)
+        for share in CORNER_FILLETS
+    ]
+    levels = []
+    for _ in range(60):
+        rest = [p for p in polygons_of(shapely.difference(omega, visited)) if p.area > 1e-3]
+        if not rest:
+            break
+        pieces = [_corner_step(piece, visited, opened, rules) for piece in rest]
+        grown = shapely.union_all([visited, *pieces])
+        grown = oriented(largest(buffer(buffer(grown, 1e-4), -1e-4)))
+        if grown.area - visited.area < 1e-4:
+            break
+        levels.append(grown)
+        visited = grown
+    return levels
+
+
+def _corner_step(
+    piece: Polygon, visited: Polygon, opened: list[Region], rules: FrontRules
+) -> Region:
+    """Return the part of a corner that the next stroke takes."""
+    shapely.prepare(visited)
+    taken: Region = piece
+    for share, shape in zip(CORNER_FILLETS, opened, strict=True):
+        limit = (LAST_BITE if share == 0 else CORNER_BITE) * rules.stepover
+        taken = piece if share == 0 else shapely.intersection(shape, piece)
+        points = shapely.points(shapely.get_coordinates(taken))
+        if len(points) and shapely.distance(visited, points).max() <= limit:
+            return taken
+    # deeper than any fillet: one ordinary step into it
+    return shapely.intersection(piece, buffer(visited, CORNER_BITE * rules.stepover))

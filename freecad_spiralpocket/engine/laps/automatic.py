@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Automatic: engagement-limited fronts from the start that simulates fastest.
+
+For each way to open the region (starts.py) fronts grow to the walls (fronts.py);
+their new parts are strokes (strokes.py), closed laps among them one spiral
+(spiral.py); an order and smooth links through free ground join all (ordering.py).
+The way that takes least time on the machine is chosen: simulated, never by rule.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import shapely
+from shapely import LineString, Polygon
+
+from ..cleared import ClearedMap
+from ..floor import FloorPath, Helix, Pass
+from ..fronts import FrontRules, grow, oriented
+from ..linking import Motion, link_times
+from ..machine import MIDDLING
+from ..model import Floats, PocketRequest
+from ..ordering import Run, Step, order, runs_of
+from ..starts import Start, candidates, slot_bite
+from ..strokes import Stroke, strokes_of
+from ..toolpath import Role
+
+#: Least radius of reentrant curves, and radius with which fronts meet walls, over R.
+CLOSING, FILLET = 1.33, 1.17
+#: Raster pixels across the cutter.
+PIXELS = 24
+
+
+def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
+    """Make the path of one cutter-center region.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        Counter-clockwise.
+    request : PocketRequest
+
+    Raises
+    ------
+    CutterDoesNotFitError
+        If there is no room to go down.
+    """
+    region = oriented(region)
+    motion = motion_of(request)
+    best, least = None, math.inf
+    for start in candidates(region, request):
+        steps = _steps(start, region, request, motion)
+        seconds = _seconds(start, steps, request, motion)
+        if seconds < least:
+            best, least = (start, steps), seconds
+    assert best is not None
+    start, steps = best
+    return FloorPath(start.entry, _passes(steps, request))
+
+
+def motion_of(request: PocketRequest) -> Motion:
+    """Return what limits the motion between cuts on the request's machine."""
+    machine = request.machine or MIDDLING
+    link = min(request.feeds.horizontal_rapid, machine.flat_speed)
+    cut = min(request.feeds.horizontal, machine.flat_speed)
+    return Motion(min(machine.acceleration[:2]), link, cut)
+
+
+def _steps(
+    start: Start, region: Polygon, request: PocketRequest, motion: Motion
+) -> list[Step]:
+    """Return the cutting runs and links that follow an entry."""
+    radius = request.cutter_radius
+    rules = FrontRules(radius, request.engagement_limit, CLOSING * radius, FILLET * radius)
+    fronts = grow(start.visited, start.omega, rules)
+    strokes = strokes_of(fronts) + _mouths(start, region)
+    if not strokes:
+        return []
+    cleared = ClearedMap(fronts, strokes, region, request.tool_diameter / PIXELS)
+    runs = runs_of(strokes, fronts, start.ring, 0.0, radius, rules.stepover)
+    here, ahead = shapely.get_coordinates(start.ring)[:2]
+    heading = (ahead - here) / np.hypot(*(ahead - here))
+    return order(runs, cleared, region, here, heading, motion, radius)
+
+
+def _mouths(start: Start, region: Polygon) -> list[Stroke]:
+    """Return the strokes along ringed islands where bridges meet them."""
+    if len(start.omega.interiors) == len(region.interiors):
+        return []
+    ring = shapely.buffer(start.ring, 0.05)
+    strokes = []
+    for wall in region.interiors:
+        if start.omega.contains(wall):
+            rest = shapely.difference(LineString(wall.coords), ring)
+            for part in shapely.get_parts(shapely.line_merge(rest)):
+                if part.length > 0.1:
+                    strokes.append(Stroke(shapely.get_coordinates(part), 1, False, False))
+    return strokes
+
+
+def _seconds(start: Start, steps: list[Step], request: PocketRequest, motion: Motion) -> float:
+    """Return how long entry, cuts and links take, at the last level [s]."""
+    depth = min(
+        request.heights.step_down, request.heights.start_depth - request.heights.final_depth
+    )
+    slope = math.tan(request.entry.helix_angle)
+    if isinstance(start.entry, Helix):
+        total = (depth / slope + start.ring.length) / motion.cut_feed
+    else:
+        levels = math.ceil(depth / slot_bite(request) - 1e-9)
+        total = (levels * start.ring.length + depth / levels / slope) / motion.cut_feed
+    for step in steps:
+        total += LineString(step.points).length / motion.cut_feed
+        if step.link is None:
+            total += 3.0
+        elif len(step.link):
+            total += float(link_times(step.link[None], motion)[0])
+    return total
+
+
+def _passes(steps: list[Step], request: PocketRequest) -> tuple[Pass, ...]:
+    passes = []
+    for step in steps:
+        if step.link is None:
+            passes.append(Pass(step.points[:1], Role.AIR))
+        elif len(step.link):
+            passes.append(Pass(_slim(step.link, request), Role.LINK))
+        passes.append(Pass(_slim(step.points, request), Role.CUT))
+    return tuple(passes)
+
+
+def _slim(points: Floats, request: PocketRequest) -> Floats:
+    """Drop points that the tolerance does not need."""
+    return shapely.get_coordinates(
+        shapely.simplify(LineString(points), 0.3 * request.tolerance, preserve_topology=False)
+    )

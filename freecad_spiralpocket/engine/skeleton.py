@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The medial axis of a region, and the part of it that a slot should open.
+
+The axis comes from the Voronoi diagram of boundary samples. It is peeled from
+its tips inwards for as long as fronts that start at the remaining tip reach
+everything peeled off within about as many steps as they need to the farthest
+wall anyway: `reach`, the distance from the tip to the farthest place it serves,
+stays below a share of the largest clearance. What remains is a point for a
+compact region, a path for a long one, a tree for a branched one.
+"""
+
+from __future__ import annotations
+
+import heapq
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import Polygon
+
+from .model import Floats
+
+#: Boundary samples are this far apart at least and at most [mm], and about this many.
+SAMPLE_MIN, SAMPLE_MAX, SAMPLES = 0.3, 2.0, 700
+#: A Voronoi edge belongs to the axis if the two samples that it parts are farther apart, along the
+#: boundary, than this share of the clearance: blunter corners have no branch.
+SPREAD = 0.6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Skeleton:
+    """A graph in the plane.
+
+    Attributes
+    ----------
+    nodes : ndarray of shape (n, 2)
+        [mm]
+    clearance : ndarray of shape (n,)
+        Distance of each node to the boundary [mm].
+    edges : ndarray of int, shape (m, 2)
+    """
+
+    nodes: Floats
+    clearance: Floats
+    edges: NDArray[np.intp]
+
+
+def medial_axis(region: Polygon) -> Skeleton:
+    """Return the medial axis of a region, without the branches to blunt corners.
+
+    O(n log n) in the number of boundary samples.
+    """
+    from scipy.spatial import Voronoi
+
+    spacing = float(np.clip(region.length / SAMPLES, SAMPLE_MIN, SAMPLE_MAX))
+    rings = [_ring_samples(r, spacing) for r in (region.exterior, *region.interiors)]
+    samples = np.vstack(rings)
+    diagram = Voronoi(samples)
+    ridges = np.array(diagram.ridge_vertices)
+    finite = (ridges >= 0).all(axis=1)
+    ridges, pairs = ridges[finite], diagram.ridge_points[finite]
+    vertices = diagram.vertices
+    inside = shapely.contains_xy(region, vertices[:, 0], vertices[:, 1])
+    middle = vertices[ridges].mean(axis=1)
+    clearance = np.hypot(*(middle - samples[pairs[:, 0]]).T)
+    apart = _boundary_distances(rings, pairs) * spacing
+    keep = inside[ridges].all(axis=1) & (apart > np.maximum(SPREAD * clearance, 1.5 * spacing))
+    edges = ridges[keep]
+    used, edges = np.unique(edges, return_inverse=True)
+    nodes = vertices[used]
+    return Skeleton(
+        nodes, shapely.distance(region.boundary, shapely.points(nodes)), edges.reshape(-1, 2)
+    )
+
+
+def _ring_samples(ring: shapely.LinearRing, spacing: float) -> Floats:
+    count = max(12, math.ceil(ring.length / spacing))
+    at = np.arange(count) * ring.length / count
+    return shapely.get_coordinates(shapely.line_interpolate_point(ring, at))
+
+
+def _boundary_distances(rings: list[Floats], pairs: NDArray[np.intp]) -> Floats:
+    """Return how many samples apart the two of each pair are along the boundary, shape (m,)."""
+    counts = np.array([len(r) for r in rings])
+    ring = np.repeat(np.arange(len(rings)), counts)
+    around = counts[ring[pairs[:, 0]]]
+    steps = np.abs(pairs[:, 0] - pairs[:, 1])
+    same = ring[pairs[:, 0]] == ring[pairs[:, 1]]
+    return np.where(same, np.minimum(steps, around - steps), np.inf)
+
+
+def peel(axis: Skeleton, share: float) -> list[tuple[int, int]]:
+    """Peel the axis from its tips and return the edges that remain.
+
+    Parameters
+    ----------
+    axis : Skeleton
+    share : float
+        Tips are peeled while their reach is below this share of the largest clearance.
+
+    Returns
+    -------
+    list of (int, int)
+        Node indices; empty for a compact region.
+    """
+    neighbors: dict[int, dict[int, float]] = {}
+    for a, b in axis.edges.tolist():
+        length = float(np.hypot(*(axis.nodes[a] - axis.nodes[b])))
+        neighbors.setdefault(a, {})[b] = length
+        neighbors.setdefault(b, {})[a] = length
+    reach = axis.clearance.copy()
+    limit = share * float(axis.clearance.max(initial=0.0))
+    tips = [(reach[n], n) for n, near in neighbors.items() if len(near) == 1]
+    heapq.heapify(tips)
+    while tips:
+        _, tip = heapq.heappop(tips)
+        if len(neighbors.get(tip, ())) != 1:
+            continue
+        ((inner, length),) = neighbors[tip].items()
+        if reach[tip] + length > limit:
+            continue
+        reach[inner] = max(reach[inner], reach[tip] + length)
+        del neighbors[tip], neighbors[inner][tip]
+        if len(neighbors[inner]) == 1:
+            heapq.heappush(tips, (reach[inner], inner))
+    return [(a, b) for a, near in neighbors.items() for b in near if a < b]
+
+
+def longest_path(axis: Skeleton, edges: list[tuple[int, int]]) -> Floats:
+    """Return the longest shortest path along `edges`, shape (k, 2) [mm]; empty if there is none."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import dijkstra
+
+    if not edges:
+        return np.empty((0, 2))
+    used, index = np.unique(np.array(edges), return_inverse=True)
+    index = index.reshape(-1, 2)
+    nodes = axis.nodes[used]
+    weights = np.hypot(*(nodes[index[:, 0]] - nodes[index[:, 1]]).T)
+    graph = coo_array((weights, (index[:, 0], index[:, 1])), shape=(len(used),) * 2).tocsr()
+
+    def farthest(start: int) -> tuple[int, NDArray[np.intp]]:
+        distances, before = dijkstra(
+            graph, directed=False, indices=start, return_predecessors=True
+        )
+        distances[~np.isfinite(distances)] = -1.0
+        return int(np.argmax(distances)), before
+
+    one, _ = farthest(0)
+    other, before = farthest(one)
+    path = [other]
+    while path[-1] != one:
+        path.append(int(before[path[-1]]))
+    return nodes[path]

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where fronts may start: candidates for the opening of a region.
+
+How a pocket is opened decides elongated pockets and pockets with islands:
+
+- a *point*: a helix at the innermost place, for compact regions (CS08's center);
+- a *curve*: a slot about a piece of the medial axis (EAS07's center curve), opened
+  as a racetrack so that no post remains and nothing reverses;
+- an *island ring*: once round all islands, joined by bridges. After that no front
+  ever meets an island; everything is laps outwards to the outer wall.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy.ndimage import gaussian_filter1d
+from shapely import LineString, Point, Polygon
+
+from .entry import fit_helix_radius
+from .errors import CutterDoesNotFitError
+from .floor import Helix, Slot
+from .fronts import buffer, largest, oriented
+from .model import Floats, PocketRequest
+from .skeleton import Skeleton, longest_path, medial_axis, peel
+from .spiral import BLEND, between
+
+#: Shares of the largest clearance down to which the medial axis is peeled.
+PEELED = (1.05, 1.2, 1.45)
+#: Half the racetrack's width over D; less where a post would remain in a bend.
+HALF_WIDTHS = (0.46, 0.42, 0.38, 0.33)
+#: Radius of reentrant curves of the racetrack, over R.
+ROUNDING = 1.0
+#: Width of the smoothing of the center curve, over R.
+SMOOTHING = 1.0
+#: A slot's axial bite over D at most.
+DEEPEST_BITE = 0.3
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Start:
+    """One way to open a region.
+
+    Attributes
+    ----------
+    name : str
+    visited : shapely.Polygon
+        Where the cutter's center has been, or could go without cutting, after the entry; ringed
+        islands are filled.
+    omega : shapely.Polygon
+        The region to grow in, ringed islands filled.
+    entry : Helix or Slot
+    ring : LineString
+        The entry's last lap, closed, from where the entry ends.
+    """
+
+    name: str
+    visited: Polygon
+    omega: Polygon
+    entry: Helix | Slot
+    ring: LineString
+
+
+def slot_bite(request: PocketRequest) -> float:
+    """Return the axial depth of a slot's levels [mm].
+
+    By default a full slot of that depth removes as much as the step-over at the full depth.
+    """
+    if request.entry.slot_bite > 0:
+        return request.entry.slot_bite
+    heights = request.heights
+    depth = min(heights.step_down, heights.start_depth - heights.final_depth)
+    equal = request.cutting.stepover * depth / request.tool_diameter
+    return min(equal, DEEPEST_BITE * request.tool_diameter)
+
+
+def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
+    """Return the ways to open a region, at least one.
+
+    Raises
+    ------
+    CutterDoesNotFitError
+        If there is no room for any entry.
+    """
+    axis = medial_axis(region)
+    starts: list[Start] = []
+    failure = None
+    try:
+        starts.append(_point(region, axis, request))
+    except CutterDoesNotFitError as error:
+        failure = error
+    lengths: list[float] = []
+    for share in PEELED:
+        line = longest_path(axis, peel(axis, share))
+        length = LineString(line).length if len(line) > 1 else 0.0
+        if length > request.cutter_radius and all(abs(length - o) > 1.0 for o in lengths):
+            lengths.append(length)
+            start = _curve(region, line, request)
+            if start is not None:
+                starts.append(start)
+    if region.interiors:
+        ringed = _island_ring(region, request)
+        if ringed is not None:
+            starts.append(ringed)
+    if not starts:
+        raise failure if failure is not None else CutterDoesNotFitError(
+            "The cutter has no room to go down anywhere in the pocket.",
+            "Take a smaller cutter.",
+        )
+    return starts
+
+
+def _point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start:
+    if len(axis.nodes):
+        center = axis.nodes[int(np.argmax(axis.clearance))]
+    else:
+        center = np.array(shapely.maximum_inscribed_circle(region).coords[0])
+    radius = fit_helix_radius(region, center, request.cutter_radius, request.entry)
+    angles = np.linspace(0, 2 * np.pi, 97)[:-1]
+    circle = center + radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    ring = LineString(np.vstack([circle, circle[:1]]))
+    return Start("point", oriented(Polygon(circle)), region, Helix(center, radius), ring)
+
+
+def _curve(region: Polygon, line: Floats, request: PocketRequest) -> Start | None:
+    spine = _smoothed(line, SMOOTHING * request.cutter_radius)
+    for half in HALF_WIDTHS:
+        shape = buffer(spine, half * request.tool_diameter)
+        visited = _rounded(shape, region, request)
+        if _leaves_no_post(visited, request):
+            return _slot_start("curve", visited, region, request)
+    return None
+
+
+def _smoothed(line: Floats, width: float) -> LineString:
+    raw = LineString(line)
+    count = max(4, int(raw.length / 0.5))
+    points = shapely.get_coordinates(
+        shapely.line_interpolate_point(raw, np.linspace(0, raw.length, count))
+    )
+    sigma = width * count / raw.length
+    return LineString(gaussian_filter1d(points, sigma, axis=0, mode="nearest"))
+
+
+def _rounded(shape: Polygon, omega: Polygon, request: PocketRequest) -> Polygon:
+    q = ROUNDING * request.cutter_radius
+    return oriented(largest(shapely.intersection(buffer(buffer(shape, q), -q), omega)))
+
+
+def _leaves_no_post(visited: Polygon, request: PocketRequest) -> bool:
+    swept = buffer(visited.exterior, request.cutter_radius)
+    return bool(shapely.difference(Polygon(visited.exterior), swept).area < 1e-3)
+
+
+def _slot_start(name: str, visited: Polygon, omega: Polygon, request: PocketRequest) -> Start:
+    ring = LineString(shapely.get_coordinates(shapely.simplify(visited.exterior, 0.002)))
+    leave = _straightest(ring, BLEND * request.cutter_radius)
+    points = between(ring, leave, ring.length)[:-1]
+    closed = LineString(np.vstack([points, points[:1]]))
+    return Start(name, visited, omega, Slot(points, slot_bite(request)), closed)
+
+
+def _straightest(ring: LineString, window: float) -> float:
+    """Return where along a ring the next `window` [mm] bends least."""
+    coords = shapely.get_coordinates(ring)
+    heading = np.unwrap(np.arctan2(*np.diff(coords, axis=0).T[::-1]))
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
+    at = np.linspace(0, ring.length, 200, endpoint=False)
+
+    def heading_at(s: Floats) -> Floats:
+        turns = np.floor(s / ring.length)
+        edge = np.clip(np.searchsorted(along, s % ring.length, side="right") - 1, 0, len(heading) - 1)
+        return heading[edge] + 2 * np.pi * turns
+
+    bends = sum(
+        np.abs(heading_at(at + (i + 1) * window / 6) - heading_at(at + i * window / 6))
+        for i in range(6)
+    )
+    return float(at[int(np.argmin(np.round(bends, 3)))])
+
+
+def _island_ring(region: Polygon, request: PocketRequest) -> Start | None:
+    """Return the ring round all islands, bridged along a shortest tree; None if it is no ring."""
+    filled = Polygon(region.exterior)
+    islands = [Polygon(r) for r in region.interiors]
+    bridges = _bridges(islands)
+    for half in HALF_WIDTHS:
+        corridors = [buffer(b, half * request.tool_diameter) for b in bridges]
+        shape = largest(shapely.union_all([*islands, *corridors]))
+        visited = Polygon(_rounded(shape, filled, request).exterior)
+        if all(filled.contains(b) for b in bridges):
+            return _slot_start("island ring", oriented(visited), filled, request)
+    return None
+
+
+def _bridges(islands: list[Polygon]) -> list[LineString]:
+    """Return the shortest lines that join all islands, as a minimum spanning tree."""
+    from scipy.sparse.csgraph import minimum_spanning_tree
+
+    if len(islands) < 2:
+        return []
+    shapes = np.array(islands, dtype=object)
+    gaps = shapely.distance(shapes[:, None], shapes[None, :])
+    tree = minimum_spanning_tree(np.maximum(gaps, 1e-9)).tocoo()
+    lines = []
+    for a, b in zip(tree.row.tolist(), tree.col.tolist(), strict=True):
+        line = shapely.shortest_line(islands[a], islands[b])
+        # a little into both islands, so that the corridor meets their walls
+        (x0, y0), (x1, y1) = line.coords
+        d = np.array([x1 - x0, y1 - y0])
+        d = d / (np.hypot(*d) + 1e-12)
+        lines.append(LineString([np.array([x0, y0]) - d, np.array([x1, y1]) + d]))
+    return lines
+
+
+def islands_inside(start: Start, region: Polygon) -> list[Polygon]:
+    """Return the islands that this start has ringed."""
+    return [
+        Polygon(r)
+        for r in region.interiors
+        if start.omega.contains(Point(shapely.point_on_surface(Polygon(r))))
+    ]

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Strokes: the cutting runs along the fronts, open from wall to wall or closed laps.
+
+A stroke follows the boundary of a visited region where that boundary is new;
+stock is on its right. Open strokes begin and end where the new front
+leaves the old one, tangentially.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from shapely import Polygon
+
+from .model import Floats
+
+#: The front is new where it is farther than this from the region before [mm].
+NEW = 0.012
+#: Thinner strokes than this cut nothing worth a move [mm].
+THINNEST = 0.03
+#: Gaps shorter than this are cut through [mm]; each end runs on by so much [mm].
+GAP, OVERRUN = 2.5, 0.8
+#: Longest chord of a stroke [mm].
+CHORD = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stroke:
+    """One cutting run.
+
+    Attributes
+    ----------
+    points : ndarray of shape (n, 2)
+        In the direction of travel [mm]; of a closed lap the first is not repeated.
+    level : int
+        Index of the front that it follows.
+    closed : bool
+    exterior : bool
+        Whether it runs along the outer boundary of the visited region.
+    """
+
+    points: Floats
+    level: int
+    closed: bool
+    exterior: bool
+
+
+def strokes_of(fronts: Sequence[Polygon]) -> list[Stroke]:
+    """Return all strokes, level by level."""
+    strokes: list[Stroke] = []
+    for level in range(1, len(fronts)):
+        before, after = fronts[level - 1], fronts[level]
+        shapely.prepare(before)
+        for i, ring in enumerate((after.exterior, *after.interiors)):
+            for points, closed in _new_runs(ring, before):
+                strokes.append(Stroke(points, level, closed, i == 0))
+    return strokes
+
+
+def _new_runs(ring: shapely.LinearRing, before: Polygon) -> list[tuple[Floats, bool]]:
+    """Return the parts of a ring outside of `before`, and whether each is the whole ring."""
+    points = shapely.get_coordinates(shapely.segmentize(ring, CHORD))[:-1]
+    geometry = shapely.points(points)
+    new = ~shapely.dwithin(before, geometry, NEW)
+    if not new.any():
+        return []
+    step = np.hypot(*(np.roll(points, -1, axis=0) - points).T)
+    if new.all():
+        return [(points, True)]
+    first = int(np.flatnonzero(~new)[0])  # begin in a gap
+    points, new, step = (np.roll(v, -first, axis=0) for v in (points, new, step))
+    geometry = np.roll(geometry, -first)
+    along = np.concatenate([[0.0], np.cumsum(step)])
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], new.astype(np.int8), [0]])))
+    runs = [[a, b - 1] for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)]
+    total = along[-1]
+    merged = [runs[0]]
+    for run in runs[1:]:
+        if along[run[0]] - along[merged[-1][1]] < GAP:
+            merged[-1][1] = run[1]
+        else:
+            merged.append(run)
+    if total - along[merged[-1][1]] + along[merged[0][0]] < GAP:
+        if len(merged) == 1:
+            return [(points, True)]
+        last = merged.pop()
+        merged[0] = [last[0] - len(points), merged[0][1]]
+    kept = []
+    for a, b in merged:
+        run = np.arange(a, b + 1) % len(points)
+        if shapely.distance(before, geometry[run]).max() < THINNEST:
+            continue
+        kept.append((_overrun(points, along, total, a, b), False))
+    return kept
+
+
+def _overrun(points: Floats, along: Floats, total: float, a: int, b: int) -> Floats:
+    """Return points a..b of a ring (a may be negative), run on along it at both ends."""
+    n = len(points)
+    begin = along[a % n] - (total if a < 0 else 0.0) - OVERRUN
+    end = along[b % n] + OVERRUN
+    index = np.arange(a - n, b + n + 1)
+    s = along[index % n] + total * (index // n)
+    inner = (s > begin + 1e-6) & (s < end - 1e-6)
+
+    def at(where: float) -> Floats:
+        closed = np.vstack([points, points[:1]])
+        return np.array([np.interp(where % total, along, closed[:, i]) for i in (0, 1)])
+
+    return np.vstack([at(begin), points[index[inner] % n], at(end)])
