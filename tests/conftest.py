@@ -11,6 +11,12 @@ from pathlib import Path
 
 import pytest
 
+if "FreeCAD" not in sys.modules:
+    from hypothesis import settings
+
+    settings.register_profile("repeatable", derandomize=True, deadline=None)
+    settings.load_profile("repeatable")
+
 collect_ignore = [] if "FreeCAD" in sys.modules else ["freecad", "gui"]
 
 
