@@ -200,27 +200,52 @@ def _load(
 
     It is constant between the heights that earlier motion nearby has left.
     """
-    z = samples.points[:, 2]
+    z, n = samples.points[:, 2], len(samples)
     ceiling = np.minimum(z + axial_depth, top)
-    level, load, angle = z.copy(), np.zeros(len(z)), gaps.angles(len(z))
+    level, load, angle = z.copy(), np.zeros(n), gaps.angles(n)
     heights = _stepped_heights(pieces, top, HEIGHT_STEP * axial_depth)
-    rows, piece = pairs_of(samples, angle > 0, pieces, heights > z.min() + SAME_HEIGHT, r)
-    between = (z[rows] + SAME_HEIGHT < heights[piece]) & (
-        heights[piece] < ceiling[rows] - SAME_HEIGHT
-    )
-    rows, piece = rows[between], piece[between]
+    rows, piece = _higher_pairs(samples, angle > 0, pieces, heights, ceiling, r)
     pair, low, high = _intervals(samples, rows, piece, pieces, r)
-    gaps, _ = gaps.split(np.unique(rows[pair]))
-    for height in np.unique(heights[piece[pair]]):
-        now = heights[piece[pair]] == height
-        rims = rows[pair[now]]
-        touched = np.unique(rims)
+    rows, at = rows[pair], heights[piece[pair]]
+    gaps, _ = gaps.split(np.unique(rows))
+    for height in np.unique(at):
+        now = at == height
+        touched = np.unique(rows[now])
         load[touched] += angle[touched] * (height - level[touched])
         level[touched] = height
-        gaps = gaps.without(rims, low[now], high[now], np.pi / 2)
-        angle[touched] = gaps.angles(len(z))[touched]
+        gaps = gaps.without(rows[now], low[now], high[now], np.pi / 2)
+        angle[touched] = gaps.angles(n)[touched]
     load += angle * np.maximum(ceiling - level, 0.0)
     return load / axial_depth
+
+
+def _higher_pairs(
+    samples: Samples,
+    asking: NDArray[np.bool_],
+    pieces: Pieces,
+    heights: Floats,
+    ceiling: Floats,
+    r: float,
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return pairs of sample and earlier piece between the sample's Z and its ceiling.
+
+    Level by level, because what lies above the ceiling is most of a deep pocket.
+    """
+    z = samples.points[:, 2]
+    step = np.where(pieces.is_level[samples.pieces], SAME_HEIGHT, np.ptp(z) / 16 + SAME_HEIGHT)
+    group = np.round(z / step) * step
+    found = [(np.zeros(0, np.int64), np.zeros(0, np.int64))]
+    for height in np.unique(group[asking]):
+        mine = asking & (group == height)
+        low, high = z[mine].min() + SAME_HEIGHT, ceiling[mine].max() - SAME_HEIGHT
+        wanted = (heights > low) & (heights < high)
+        rows, piece = pairs_of(samples, mine, pieces, wanted, r)
+        true = (z[rows] + SAME_HEIGHT < heights[piece]) & (
+            heights[piece] < ceiling[rows] - SAME_HEIGHT
+        )
+        found.append((rows[true], piece[true]))
+    rows, piece = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    return rows, piece
 
 
 def _stepped_heights(pieces: Pieces, top: float, step: float) -> Floats:
