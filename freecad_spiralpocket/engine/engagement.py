@@ -22,11 +22,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .levels_alike import find_twins
 from .model import Floats
 from .neighbors import Neighbors, neighborhoods, pairs_of
 from .rim import Gaps, cleared_by_arcs, cleared_by_lines, standing
 from .sampling import Samples, between, merge_order, merged, take_samples
-from .levels_alike import find_twins
 from .swept import SAME_HEIGHT, Pieces, cut_into_pieces
 from .toolpath import Toolpath
 
@@ -36,6 +36,8 @@ SPACING, FINE_SPACING = 0.2, 0.05
 JUMP = np.radians(3.0)
 #: Pieces within this many radii of the cutter center are measured first.
 NEAR = 1.0
+#: A cutter arrives in the solid if more than this of its whole rim is engaged [rad].
+SOLID = 0.95 * 2 * np.pi
 #: Heights of ramps are rounded up to this share of the axial depth.
 HEIGHT_STEP = 1 / 32
 
@@ -54,8 +56,13 @@ class Engagement:
     radial_depths : ndarray of shape (k,)
         Width of the cut across the direction of travel at the cutter's tip, not weighted [mm],
         in ``[0, 2 r]``.
+    axial_depths : ndarray of shape (k,)
+        Mean height of what is engaged above the cutter's tip, up to a full axial depth [mm].
     lengths : ndarray of shape (k,)
         Length of path each sample stands for [mm].
+    solid_arrivals : ndarray of bool, shape (k,)
+        Where the cutter, fed down from above, begins to cut at a height where nothing near it
+        has been cleared.
     moves : ndarray of int, shape (k,)
         Move of the toolpath it is on.
     """
@@ -63,7 +70,9 @@ class Engagement:
     points: Floats
     angles: Floats
     radial_depths: Floats
+    axial_depths: Floats
     lengths: Floats
+    solid_arrivals: NDArray[np.bool_]
     moves: NDArray[np.int64]
 
 
@@ -121,18 +130,38 @@ def along_path(
         order = merge_order(samples, more)
         samples = merged(samples, more, order)
         measured = np.concatenate([measured, added], axis=1)[:, order]
-    moves = pieces.moves[samples.pieces]
-    return Engagement(samples.points, *measured, samples.lengths, moves)
+    load, width, bare = measured
+    return Engagement(
+        points=samples.points,
+        angles=load,
+        radial_depths=width,
+        axial_depths=axial_depth * np.divide(load, bare, out=np.zeros_like(load), where=bare > 0),
+        lengths=samples.lengths,
+        solid_arrivals=_solid_arrivals(samples, pieces, cutter_radius),
+        moves=pieces.moves[samples.pieces],
+    )
+
+
+def _solid_arrivals(samples: Samples, pieces: Pieces, r: float) -> NDArray[np.bool_]:
+    """Return where level motion begins with nearly all of the rim in uncleared ground."""
+    level = pieces.is_level[samples.pieces] & ~pieces.rapid[samples.pieces]
+    z = samples.points[:, 2]
+    fresh = np.r_[True, (np.abs(np.diff(z)) > SAME_HEIGHT) | ~level[:-1]][: len(z)] & level
+    arrivals = np.flatnonzero(fresh)
+    around = uncleared(samples.select(arrivals), pieces, r, np.pi).angles(len(arrivals))
+    solid = np.zeros(len(z), bool)
+    solid[arrivals[around > SOLID]] = True
+    return solid
 
 
 def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float) -> Floats:
-    """Return weighted angles [rad] and radial depths [mm], shape (2, k)."""
+    """Return weighted angles [rad], radial depths [mm] and bare angles [rad], shape (3, k)."""
     n = len(samples)
     twins = find_twins(samples, pieces)
     new = twins == np.arange(n)
     gaps = uncleared(samples.select(new), pieces, r).repeated(np.cumsum(new)[twins] - 1)
     load = _load(gaps, samples, pieces, r, axial_depth, top)
-    return np.stack([load, gaps.widths(n, r)])
+    return np.stack([load, gaps.widths(n, r), gaps.angles(n)])
 
 
 def uncleared(samples: Samples, pieces: Pieces, r: float, half: float = np.pi / 2) -> Gaps:

@@ -220,6 +220,8 @@ class Report:
         step-over and the horizontal feed.
     rapid_hit, link_hit : float
         Length of rapids and of links through standing stock [mm]; 0 as it should be.
+    entry_bite : float
+        Axial depth of cut on the way down, not passed over 99 % of its length [mm].
     engagement_points : ndarray of shape (k, 3)
         Where the engagement was measured [mm], in the order of travel.
     engagement_angles : ndarray of shape (k,)
@@ -227,7 +229,8 @@ class Report:
     uncut : shapely.MultiPolygon
         What the cutter could reach and left standing.
     gouge : float
-        How far the cutter's edge passes the wall (less the stock to leave) [mm], 0 or more.
+        How far the cutter's edge passes the wall (less the stock to leave) or the floor
+        [mm], 0 or more.
     notices : tuple of Notice
     """
 
@@ -241,6 +244,7 @@ class Report:
     chip_load_p99: float
     rapid_hit: float
     link_hit: float
+    entry_bite: float
     engagement_points: Floats
     engagement_angles: Floats
     uncut: MultiPolygon

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Motion through standing stock that is meant to be in the air: rapids and links.
+
+Along a move the engagement tells it, whose leading half of the rim is enough. A rapid
+straight down is different: the whole disc at its end must have been cleared to that
+depth. Rings of points in the disc are looked up in the earlier motion.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .distances import point_to_piece
+from .engagement import Engagement
+from .model import Floats
+from .swept import SAME_HEIGHT, Pieces
+
+#: Rings of the disc, over the radius less the slack, and points on each.
+RINGS, RING_POINTS = (1.0, 0.75, 0.5, 0.25, 0.0), 72
+
+
+@dataclass(frozen=True, slots=True)
+class Hit:
+    """Moves through stock: their length there [mm] and the worst place, (x, y) [mm]."""
+
+    length: float
+    place: tuple[float, float] | None
+
+
+def hits_along(engagement: Engagement, chosen: NDArray[np.bool_], slack: float) -> Hit:
+    """Return how far the chosen samples run through stock wider than `slack` [mm]."""
+    through = np.flatnonzero(chosen & (engagement.radial_depths > slack))
+    if len(through) == 0:
+        return Hit(0.0, None)
+    worst = through[np.argmax(engagement.radial_depths[through])]
+    x, y = engagement.points[worst, :2]
+    return Hit(float(engagement.lengths[through].sum()), (float(x), float(y)))
+
+
+def rapid_plunges(pieces: Pieces, cutter_radius: float, slack: float) -> Hit:
+    """Return how far rapids go straight down into stock.
+
+    Parameters
+    ----------
+    pieces : Pieces
+    cutter_radius, slack : float
+        What stands within `slack` of the cutter's edge does not count [mm].
+    """
+    down = pieces.rapid & (pieces.lengths == 0) & (pieces.bottoms[:, 1] < pieces.bottoms[:, 0])
+    disc = disc_points(cutter_radius - slack)
+    length, place = 0.0, None
+    for i in np.flatnonzero(down):
+        if not _is_cleared(pieces, int(i), disc, cutter_radius):
+            length += float(pieces.bottoms[i, 0] - pieces.bottoms[i, 1])
+            place = place or (float(pieces.ends[i, 0]), float(pieces.ends[i, 1]))
+    return Hit(length, place)
+
+
+def disc_points(radius: float) -> Floats:
+    """Return points on rings in a disc about the origin, shape (k, 2) [mm]."""
+    turn = 2 * np.pi * np.arange(RING_POINTS) / RING_POINTS
+    ring = np.column_stack([np.cos(turn), np.sin(turn)])
+    return np.concatenate([radius * share * ring for share in RINGS])
+
+
+def _is_cleared(pieces: Pieces, i: int, disc: Floats, r: float) -> bool:
+    """Return whether motion before piece `i` has cleared the cutter's disc at its end."""
+    floor = pieces.bottoms[i, 1]
+    index = np.flatnonzero(~pieces.rapid[:i] & (pieces.heights[:i] <= floor + SAME_HEIGHT))
+    x, y = pieces.ends[i]
+    box = pieces.bounds[index]
+    near = (box[:, :2] <= (x + 2 * r, y + 2 * r)).all(axis=1)
+    near &= (box[:, 2:] >= (x - 2 * r, y - 2 * r)).all(axis=1)
+    index = index[near]
+    points = disc + (x, y)
+    standing = np.ones(len(points), bool)
+    for start in range(0, len(index), 256):
+        part = index[start : start + 256]
+        which = np.flatnonzero(standing)
+        row, piece = np.repeat(which, len(part)), np.tile(part, len(which))
+        inside = point_to_piece(points[row], pieces, piece) <= r
+        standing[row[inside]] = False
+    return not standing.any()

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the proof found, in the machinist's words."""
+
+from __future__ import annotations
+
+import numpy as np
+from shapely import MultiPolygon
+
+from .model import Notice, PocketRequest
+
+#: Uncut area over that of the cutter's disc that is worth telling.
+TOLD_UNCUT = 1e-3
+#: Engagement above this multiple of the limit and this much more is told [rad].
+OVER_FACTOR, OVER_MARGIN = 1.15, np.radians(4.0)
+
+Place = tuple[float, float] | None
+
+
+def over_limit(limit: float) -> float:
+    """Return the engagement angle that clearly passes the limit [rad]."""
+    return OVER_FACTOR * limit + OVER_MARGIN
+
+
+def tell_gouge(depth: float, place: Place, tolerance: float) -> list[Notice]:
+    """Tell how far the cutter passes the wall [mm]."""
+    if depth <= tolerance:
+        return []
+    return [
+        Notice(
+            f"At {{at}} the cutter cuts {depth:.3f} mm into the wall.",
+            "Do not run this path; try another strategy or step-over.",
+            place,
+        )
+    ]
+
+
+def tell_too_deep(depth: float, tolerance: float) -> list[Notice]:
+    """Tell how far the cutter passes the floor [mm]."""
+    if depth <= tolerance:
+        return []
+    return [
+        Notice(
+            f"The cutter goes {depth:.3f} mm below the floor.",
+            "Do not run this path; check the final depth and the floor stock.",
+        )
+    ]
+
+
+def tell_uncut(uncut: MultiPolygon, request: PocketRequest) -> list[Notice]:
+    """Tell how much of the floor stays uncut though the cutter could reach it."""
+    if uncut.area <= TOLD_UNCUT * np.pi * request.cutter_radius**2:
+        return []
+    largest = max(uncut.geoms, key=lambda part: part.area).representative_point()
+    return [
+        Notice(
+            f"{uncut.area:.3g} mm2 of the floor stay uncut, the largest part at {{at}}.",
+            "A smaller step-over may clear it.",
+            (float(largest.x), float(largest.y)),
+        )
+    ]
+
+
+def tell_engagement(angle: float, place: Place, request: PocketRequest) -> list[Notice]:
+    """Tell where the engagement is largest [rad], if that is clearly above the limit."""
+    limit = request.engagement_limit
+    if angle <= over_limit(limit):
+        return []
+    percent = 100 * request.cutting.stepover / request.tool_diameter
+    return [
+        Notice(
+            f"At {{at}} the engagement reaches {np.degrees(angle):.0f} degrees, the step-over of "
+            f"{percent:.0f} % allows {np.degrees(limit):.0f}.",
+            "Lower the feed or the step-over if the cut is too heavy for the cutter.",
+            place,
+        )
+    ]
+
+
+def tell_hits(kind: str, length: float, place: Place) -> list[Notice]:
+    """Tell how far moves of a kind ("rapid", "link") run through standing stock [mm]."""
+    if length <= 0:
+        return []
+    return [
+        Notice(
+            f"A {kind} move runs through standing stock at {{at}}, {length:.2g} mm in all.",
+            "Do not run this path; try another strategy or step-over.",
+            place,
+        )
+    ]
