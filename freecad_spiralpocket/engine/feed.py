@@ -24,19 +24,23 @@ from enum import Enum
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import minimum_filter1d
 
-from .engagement import Engagement
 from .model import Floats
-from .runs import merge_short_runs
-from .stations import ends_of, points_at, stations_of
+from .runs import lengthen_runs
+from .stations import Measured, ends_of, points_at, stations_of
 from .toolpath import Role, Toolpath
 
 #: Ratio of neighboring rungs.
 RUNG = 1.08
-#: Ratios this much below a rung still count as on it.
-DEAD_BAND = 0.01
+#: Ratios this share below a rung still count as on it: no engagement is known better.
+DEAD_BAND = 0.03
 #: Engagement above this is a slot [rad].
 SLOT = np.radians(150.0)
+#: A change of feed goes to the end of a move this near, in least runs.
+SNAP = 0.1
+#: Moves are not split closer than this to their ends [mm].
+SHORTEST = 1e-3
 
 
 class FeedMode(Enum):
@@ -66,8 +70,8 @@ class FeedRules:
         Largest ratio to the programmed feed (Chip thickness), 1 or more.
     machine_speed : float
         No feed above this [mm/s].
-    least_run : float
-        Least length of one feed [mm].
+    least_run : float, optional
+        Least length of one feed [mm]; by default the cutter's diameter.
 
     Raises
     ------
@@ -82,7 +86,7 @@ class FeedRules:
     slowed: float = 0.75
     largest_ratio: float = 2.0
     machine_speed: float = np.inf
-    least_run: float = 6.0
+    least_run: float | None = None
 
     def __post_init__(self) -> None:
         """Check the ranges."""
@@ -93,11 +97,11 @@ class FeedRules:
             raise ValueError(f"slowed must be in (0, 1], got {self.slowed}")
         if self.largest_ratio < 1:
             raise ValueError(f"largest_ratio must be 1 or more, got {self.largest_ratio}")
-        if self.least_run < 0:
+        if self.least_run is not None and self.least_run < 0:
             raise ValueError(f"least_run must not be negative, got {self.least_run}")
 
 
-def plan_feeds(toolpath: Toolpath, engagement: Engagement, rules: FeedRules) -> Toolpath:
+def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> Toolpath:
     """Return `toolpath` with its feeds planned; moves are split where the feed changes.
 
     Rapids and entries keep their feeds, but the slow-down also slows entries that slot.
@@ -106,8 +110,8 @@ def plan_feeds(toolpath: Toolpath, engagement: Engagement, rules: FeedRules) -> 
     ----------
     toolpath : Toolpath
         n moves; those that cut carry the programmed feed.
-    engagement : Engagement
-        Measured along this path.
+    engagement : Measured
+        Along this path, as `engagement.along_path` returns it.
     rules : FeedRules
 
     Returns
@@ -116,19 +120,33 @@ def plan_feeds(toolpath: Toolpath, engagement: Engagement, rules: FeedRules) -> 
     """
     if len(toolpath) == 0:
         return toolpath
-    pieces = _cut(toolpath, engagement, rules)
-    load = _largest_angles(pieces, toolpath, engagement)
-    allowed = np.where(np.isnan(load), 1.0, _allowed(pieces.roles, load, rules, engagement))
-    rungs = np.floor(np.log(allowed * (1 + DEAD_BAND)) / np.log(RUNG)).astype(np.int64)
-    follows = _follows(pieces.roles, rules.mode)
-    groups = np.cumsum(np.r_[True, np.diff(follows) != 0])
-    rungs = np.where(follows, rungs, 0)
-    rungs = merge_short_runs(rungs, pieces.lengths, groups, rules.least_run, RUNG)
-    feeds = toolpath.feeds[pieces.moves] * np.where(follows, RUNG**rungs, 1.0)
-    feeds = np.where(pieces.roles == Role.LINK, rules.link_feed, feeds)
-    is_feed_move = pieces.roles != Role.AIR
-    feeds = np.where(is_feed_move, np.minimum(feeds, rules.machine_speed), feeds)
-    return _assemble(toolpath, pieces, np.where(follows, _whole(feeds), feeds))
+    follows = _follows(toolpath.roles, rules.mode)
+    least = 2 * rules.cutter_radius if rules.least_run is None else rules.least_run
+    stations, ratios = _allowed_ratios(toolpath, engagement, rules)
+    ends = ends_of(toolpath)
+    cuts, rungs = [], []
+    for first, last in _stretches(follows):
+        span = (ends[first] - toolpath.lengths[first], ends[last])
+        edges, allowed = _steps_between(stations, ratios, *span)
+        levels = np.floor(np.log(allowed * (1 + DEAD_BAND)) / np.log(RUNG)).astype(np.int64)
+        edges, levels = lengthen_runs(edges, levels, least, RUNG)
+        edges, levels = _snap(edges, levels, ends[first : last + 1], least * SNAP)
+        cuts.append(edges[1:])
+        rungs.append(levels)
+    pieces = _split(toolpath, np.concatenate([*cuts, np.zeros(0)]))
+    feeds, roles = toolpath.feeds[pieces.moves], toolpath.roles[pieces.moves]
+    planned = _whole(feeds * _ratio_at(pieces.middles, cuts, rungs))
+    feeds = np.where(follows[pieces.moves], planned, feeds)
+    feeds = np.where(roles == Role.LINK, rules.link_feed, feeds)
+    feeds = np.where(roles == Role.AIR, feeds, np.minimum(feeds, rules.machine_speed))
+    return Toolpath(
+        start=toolpath.start,
+        kinds=toolpath.kinds[pieces.moves],
+        roles=roles,
+        points=points_at(toolpath, pieces.moves, pieces.fractions),
+        centers=toolpath.centers[pieces.moves],
+        feeds=feeds,
+    )
 
 
 def linear_slowdown(depths: Floats, specified: float, largest: float, slowed: float) -> Floats:
@@ -149,103 +167,114 @@ def linear_slowdown(depths: Floats, specified: float, largest: float, slowed: fl
     return 1.0 - (1.0 - slowed) * share
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Pieces:
-    """Parts of moves, (p,) each: move, how far along it they end, role, begin and end stations."""
-
-    moves: NDArray[np.int64]
-    fractions: Floats
-    roles: NDArray[np.int8]
-    begins: Floats
-    ends: Floats
-
-    @property
-    def lengths(self) -> Floats:
-        """Return the lengths [mm]."""
-        return self.ends - self.begins
-
-
-def _cut(toolpath: Toolpath, engagement: Engagement, rules: FeedRules) -> _Pieces:
-    """Cut moves that are longer than a fraction of the least run at the engagement's samples."""
-    lengths, ends = toolpath.lengths, ends_of(toolpath)
-    samples = stations_of(toolpath, engagement.moves, engagement.points)
-    long = lengths[engagement.moves] > rules.least_run / 4
-    begins = ends - lengths
-    inner = samples - begins[engagement.moves]
-    inside = (inner > 1e-3) & (lengths[engagement.moves] - inner > 1e-3)
-    which = np.flatnonzero(long & inside)
-    moves = np.r_[engagement.moves[which], np.arange(len(toolpath))]
-    fractions = np.r_[inner[which] / lengths[engagement.moves[which]], np.ones(len(toolpath))]
-    order = np.lexsort((fractions, moves))
-    moves, fractions = moves[order], fractions[order]
-    new = np.r_[True, (np.diff(moves) != 0) | (np.diff(fractions) > 1e-9)]
-    moves, fractions = moves[new], fractions[new]
-    stops = begins[moves] + fractions * lengths[moves]
-    first = np.r_[True, np.diff(moves) != 0]
-    starts = np.where(first, begins[moves], np.r_[0.0, stops[:-1]])
-    return _Pieces(moves, fractions, toolpath.roles[moves], starts, stops)
-
-
-def _largest_angles(pieces: _Pieces, toolpath: Toolpath, engagement: Engagement) -> Floats:
-    """Return the largest engagement next to each piece [rad]; nan where none was measured.
-
-    Of the samples on it and of one more on either side, if they are on the same run of moves.
-    """
-    if len(engagement.moves) == 0:
-        return np.full(len(pieces.moves), np.nan)
-    at = stations_of(toolpath, engagement.moves, engagement.points)
-    slack = 1e-6
-    first = np.searchsorted(at, pieces.begins - slack) - 1
-    last = np.searchsorted(at, pieces.ends + slack) + 1
-    first, last = np.maximum(first, 0), np.minimum(last, len(at))
-    padded = np.r_[engagement.angles, 0.0]
-    largest = np.maximum.reduceat(padded, np.column_stack([first, last]).ravel())[::2]
-    on_path = np.zeros(len(toolpath), bool)
-    on_path[engagement.moves] = True
-    return np.where(on_path[pieces.moves] | (last - first > 2), largest, np.nan)
-
-
-def _allowed(
-    roles: NDArray[np.int8], angles: Floats, rules: FeedRules, engagement: Engagement
-) -> Floats:
-    """Return the largest allowed ratio to the programmed feed."""
-    limit, r = rules.engagement_limit, rules.cutter_radius
-    if rules.mode is FeedMode.LINEAR_SLOWDOWN:
-        steady = engagement.angles[engagement.angles < SLOT]
-        depths = r * (1 - np.cos(angles))
-        specified = r * (1 - np.cos(limit))
-        largest = float(r * (1 - np.cos(steady.max(initial=0.0))))
-        ratio = linear_slowdown(depths, specified, largest, rules.slowed)
-        return np.where((angles >= SLOT) & (limit < SLOT), rules.slowed, ratio)
-    with np.errstate(divide="ignore"):
-        above = np.minimum(1.0, limit / angles)
-        thin = np.sin(min(limit, np.pi / 2)) / np.sin(np.minimum(angles, np.pi / 2))
-    if rules.mode is FeedMode.CONSTANT:
-        return above
-    raised = np.where(angles < limit, np.minimum(thin, rules.largest_ratio), above)
-    return np.where(roles == Role.FINISH, np.minimum(raised, 1.0), raised)
-
-
 def _follows(roles: NDArray[np.int8], mode: FeedMode) -> NDArray[np.bool_]:
     """Return which moves follow the engagement."""
     follows = (roles == Role.CUT) | (roles == Role.FINISH)
     return follows | (roles == Role.ENTRY) if mode is FeedMode.LINEAR_SLOWDOWN else follows
 
 
+def _stretches(follows: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return first and last move of each unbroken stretch that follows the engagement."""
+    change = np.diff(np.r_[False, follows, False].astype(np.int8))
+    first, last = np.flatnonzero(change > 0), np.flatnonzero(change < 0) - 1
+    return list(zip(first.tolist(), last.tolist(), strict=True))
+
+
+def _allowed_ratios(
+    toolpath: Toolpath, engagement: Measured, rules: FeedRules
+) -> tuple[Floats, Floats]:
+    """Return the stations of the samples and the ratio to the programmed feed allowed there."""
+    limit, r = rules.engagement_limit, rules.cutter_radius
+    stations = stations_of(toolpath, engagement.moves, engagement.points)
+    angles, roles = engagement.angles, toolpath.roles[engagement.moves]
+    if rules.mode is FeedMode.LINEAR_SLOWDOWN:
+        depths = r * (1 - np.cos(angles))
+        steady = (angles < SLOT) & (roles != Role.ENTRY)
+        specified = r * (1 - np.cos(limit))
+        ratio = linear_slowdown(
+            depths, specified, float(depths[steady].max(initial=0.0)), rules.slowed
+        )
+        return stations, np.where((angles >= SLOT) & (limit < SLOT), rules.slowed, ratio)
+    above = limit / np.maximum(angles, limit)
+    if rules.mode is FeedMode.CONSTANT:
+        return stations, above
+    thickest = np.sin(min(limit, np.pi / 2))
+    sines = np.sin(np.minimum(angles, np.pi / 2))
+    thin = thickest / np.maximum(sines, thickest / rules.largest_ratio)
+    raised = np.where(angles < limit, thin, above)
+    return stations, np.where(roles == Role.FINISH, np.minimum(raised, 1.0), raised)
+
+
+def _steps_between(
+    stations: Floats, ratios: Floats, begin: float, end: float
+) -> tuple[Floats, Floats]:
+    """Return edges and values of the ratio allowed from `begin` to `end`.
+
+    Between two samples it is the lowest of these and of one more to either side.
+    """
+    slack = 1e-6
+    first, last = np.searchsorted(stations, (begin - slack, end + slack))
+    if first == last:
+        return np.array([begin, end]), np.ones(1)
+    values = minimum_filter1d(ratios[first:last], 3, mode="nearest")
+    edges = np.r_[begin, np.clip(stations[first:last], begin, end), end]
+    values = np.r_[values[0], np.minimum(values[:-1], values[1:]), values[-1]]
+    keep = np.diff(edges) > slack
+    return np.r_[edges[:-1][keep], end], values[keep]
+
+
+def _snap(
+    edges: Floats, rungs: NDArray[np.int64], joints: Floats, reach: float
+) -> tuple[Floats, NDArray[np.int64]]:
+    """Move edges to the joints of moves where one is within reach on the lower side."""
+    inner = edges[1:-1]
+    before = np.r_[edges[0], joints][np.searchsorted(joints, inner, side="right")]
+    after = joints[np.minimum(np.searchsorted(joints, inner), len(joints) - 1)]
+    target = np.where(np.diff(rungs) < 0, before, after)
+    moved = np.where(np.abs(target - inner) <= reach, target, inner)
+    snapped = np.r_[edges[0], moved, edges[-1]]
+    # a step that has become empty, or whose edges have passed each other, gives way to the lower
+    order = np.unique(snapped)
+    values = np.full(len(order) - 1, np.iinfo(np.int64).max)
+    for low, high, rung in zip(snapped[:-1], snapped[1:], rungs, strict=True):
+        i, j = np.searchsorted(order, (low, high))
+        values[i:j] = np.minimum(values[i:j], rung)
+    return order, values
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Pieces:
+    """Parts of moves, (p,) each: move, how far along it they end, station of the middle."""
+
+    moves: NDArray[np.int64]
+    fractions: Floats
+    middles: Floats
+
+
+def _split(toolpath: Toolpath, cuts: Floats) -> _Pieces:
+    """Cut the moves at stations, but not within a micron of their ends."""
+    ends, lengths = ends_of(toolpath), toolpath.lengths
+    moves = np.minimum(np.searchsorted(ends, cuts), len(ends) - 1)
+    inner = (cuts > ends[moves] - lengths[moves] + SHORTEST) & (cuts < ends[moves] - SHORTEST)
+    cuts, moves = cuts[inner], moves[inner]
+    fractions = np.r_[1.0 - (ends[moves] - cuts) / lengths[moves], np.ones(len(ends))]
+    stations = np.r_[cuts, ends]
+    moves = np.r_[moves, np.arange(len(ends))]
+    order = np.lexsort((fractions, moves))
+    moves, fractions, stations = moves[order], fractions[order], stations[order]
+    begins = np.r_[0.0, stations[:-1]]
+    return _Pieces(moves, fractions, (begins + stations) / 2)
+
+
+def _ratio_at(stations: Floats, cuts: list[Floats], rungs: list[NDArray[np.int64]]) -> Floats:
+    """Return the planned ratio at stations; anything where nothing is planned."""
+    if not cuts:
+        return np.ones(len(stations))
+    edges, values = np.concatenate(cuts), np.concatenate(rungs)
+    index = np.minimum(np.searchsorted(edges, stations), len(edges) - 1)
+    return np.power(RUNG, values[index].astype(np.float64))
+
+
 def _whole(feeds: Floats) -> Floats:
     """Return feeds [mm/s] rounded down to whole mm/min, as they are written."""
     return np.where(feeds * 60 >= 1, np.floor(feeds * 60 + 1e-6) / 60, feeds)
-
-
-def _assemble(toolpath: Toolpath, pieces: _Pieces, feeds: Floats) -> Toolpath:
-    """Return the path of the pieces, those of one move and one feed as one move again."""
-    last = np.r_[(np.diff(pieces.moves) != 0) | (np.diff(feeds) != 0), True]
-    moves, fractions = pieces.moves[last], pieces.fractions[last]
-    return Toolpath(
-        start=toolpath.start,
-        kinds=toolpath.kinds[moves],
-        roles=toolpath.roles[moves],
-        points=points_at(toolpath, moves, fractions),
-        centers=toolpath.centers[moves],
-        feeds=feeds[last],
-    )

@@ -8,6 +8,8 @@ moves are split.
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,6 +17,22 @@ from .model import Floats
 from .toolpath import Toolpath
 
 Moves = NDArray[np.int64]
+
+
+class Measured(Protocol):
+    """Engagement at places along a path, in the order of travel (see `engagement`)."""
+
+    @property
+    def points(self) -> Floats:
+        """Cutter centers, shape (k, 3) [mm]."""
+
+    @property
+    def angles(self) -> Floats:
+        """Engagement angles, shape (k,) [rad]."""
+
+    @property
+    def moves(self) -> Moves:
+        """Move of the toolpath each is on, shape (k,)."""
 
 
 def ends_of(toolpath: Toolpath) -> Floats:
