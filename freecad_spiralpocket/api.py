@@ -187,7 +187,7 @@ def _set(op: Any, name: str, value: Any) -> None:
         value = int(value)
     try:
         setattr(op, name, value)
-    except (TypeError, ValueError, ArithmeticError, SyntaxError) as error:
+    except (TypeError, ValueError, ArithmeticError, RuntimeError) as error:
         raise RequestError(
             f"{name} cannot be {value!r}: {error}.", "Give a number or a text with a unit."
         ) from error

@@ -70,9 +70,9 @@ class Pockets:
         result = []
         for error, labels in self._failures.values():
             if len(labels) < len(self._selected) and labels[0] not in error.message:
-                error.message = f"{'; '.join(labels)}: {error.message}"
+                message = f"{'; '.join(labels)}: {error.message}"
+                error = type(error)(message, error.hint, error.place)
             result.append(error)
-        self._failures = {str(e): (e, [e.message]) for e in result}
         return result
 
     def notices(self) -> list[Notice]:

@@ -64,8 +64,9 @@ class Floor:
 
 
 def label(model: Any, name: str) -> str:
-    """Return what the user calls a face."""
-    return f"{model.Label}, {name.lstrip('?')}"
+    """Return what the user calls a face: by the part, where `model` is the job's copy of it."""
+    part = next(iter(getattr(model, "Objects", ())), model)
+    return f"{part.Label}, {name.lstrip('?')}"
 
 
 def selected(base: list[tuple[Any, Any]]) -> list[tuple[Any, str]]:

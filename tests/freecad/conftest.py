@@ -13,4 +13,3 @@ def doc():
     yield document
     if name in FreeCAD.listDocuments():
         FreeCAD.closeDocument(name)
-

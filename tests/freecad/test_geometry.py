@@ -134,7 +134,9 @@ def test_a_drilled_hole_in_the_floor_is_no_island(doc):
 
 def test_an_island_on_a_fillet_is_an_island(doc):
     shape = block(area(rectangle(60, 50), circle(10, 30, 25)))
-    rim = [e for e in shape.Edges if abs(e.BoundBox.ZMax + DEPTH) < 1e-6 and e.BoundBox.XLength < 21]
+    rim = [
+        e for e in shape.Edges if abs(e.BoundBox.ZMax + DEPTH) < 1e-6 and e.BoundBox.XLength < 21
+    ]
     rim = [e for e in rim if e.Curve.TypeId == "Part::GeomCircle"]
     floor = floor_of(doc, shape.makeFillet(1.5, rim))
     found = geometry.polygon(floor, SAG)

@@ -20,18 +20,28 @@ from sample_parts import (
 )
 
 from freecad_spiralpocket import api
-from freecad_spiralpocket.op import operation
+from freecad_spiralpocket.op import operation, properties
 from freecad_spiralpocket.op.compat import parent_job
 
 #: How far a pole of the exact curve may lie from where the document keeps it [mm].
 SAVED = 1e-6
+#: Area that may stand after any strategy [mm2].
+UNCUT = 0.01
 
 
 @pytest.fixture
 def op(doc):
-    """Return an operation with a path."""
+    """Return an operation with a path, by the strategy that has an exact curve."""
     job, part, face = small_job(doc)
-    return api.add_spiral_pocket(job, [(part, [face])])
+    return api.add_spiral_pocket(job, [(part, [face])], Strategy="Linear Morph")
+
+
+@pytest.mark.parametrize("strategy", properties.choices()["Strategy"])
+def test_every_strategy_clears_the_pocket(doc, strategy):
+    job, part, face = small_job(doc)
+    made = api.add_spiral_pocket(job, [(part, [face])], Strategy=strategy)
+    assert motion(made) and not made.Proxy.errors
+    assert made.UncutArea < UNCUT and made.Gouge.Value <= made.Tolerance.Value
 
 
 def test_the_path_uses_only_what_all_posts_understand(op):
@@ -243,4 +253,3 @@ def test_progress_covers_all_pockets_and_is_opened_once(doc, monkeypatch):
     assert labels == [made.Label]
     assert fractions == sorted(fractions) and (fractions[0], fractions[-1]) == (0, 1)
     assert seen[-1][1].startswith("Pocket 2 of 2")
-

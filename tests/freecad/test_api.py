@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The scripting interface: values, models, tool controllers, G-code."""
+
+import FreeCAD
+import pytest
+from sample_parts import (
+    DEPTH,
+    add_job,
+    add_part,
+    area,
+    block,
+    circle,
+    faces_at,
+    gcode,
+    motion,
+    rectangle,
+    set_feeds,
+    small_job,
+    snapshot,
+)
+
+from freecad_spiralpocket import api
+from freecad_spiralpocket.engine.errors import SetupError
+from freecad_spiralpocket.op import compat
+
+INCH = 25.4
+
+
+def add_mill(job, diameter):
+    """Return a second tool controller of `job`."""
+    with compat.active_document(job.Document):
+        controller = compat.add_tool_controller(job, diameter)
+    set_feeds(controller, 900)
+    job.Document.recompute()
+    return controller
+
+
+def test_the_original_part_and_the_jobs_copy_mean_the_same(doc):
+    job, part, face = small_job(doc)
+    first = api.add_spiral_pocket(job, [(part, [face])])
+    second = api.add_spiral_pocket(job, [(job.Model.Group[0], face)])
+    assert first.Base[0][0] is second.Base[0][0] is job.Model.Group[0]
+    assert gcode(first) == gcode(second)
+
+
+def test_values_are_numbers_or_texts_with_units(doc):
+    job, part, face = small_job(doc)
+    made = api.add_spiral_pocket(
+        job,
+        [(part, [face])],
+        StepOver=30.0,
+        StockToLeave=0.3,
+        ZStockToLeave="0.01 in",
+        HelixAngle="3 deg",
+        FinishingProfile=False,
+        CutMode="Conventional",
+        Comment="second side",
+    )
+    assert (made.StepOver, made.CutMode, made.FinishingProfile) == (30, "Conventional", False)
+    assert made.StockToLeave.Value == pytest.approx(0.3)
+    assert made.ZStockToLeave.Value == pytest.approx(0.01 * INCH)
+    assert made.HelixAngle.Value == pytest.approx(3)
+    assert made.Path.Commands[1].Name == "(second side)"
+
+
+def test_depths_replace_their_expressions(doc):
+    job, part, face = small_job(doc)
+    made = api.add_spiral_pocket(job, [(part, [face])], FinalDepth="-4 mm", StepDown=2)
+    assert "FinalDepth" not in dict(made.ExpressionEngine)
+    assert "StartDepth" in dict(made.ExpressionEngine)
+    cuts = {round(c.z, 3) for c in motion(made) if c.Name == "G1"}
+    assert min(cuts) == -4 and -2 in cuts
+    job.Document.recompute()
+    assert made.FinalDepth.Value == -4
+
+
+def test_the_first_operation_of_a_job_with_several_tool_controllers(doc):
+    job, part, face = small_job(doc)
+    wide = add_mill(job, 8)
+    chosen = api.add_spiral_pocket(job, [(part, [face])], tool_controller=wide)
+    assert chosen.ToolController is wide and chosen.OpToolDiameter.Value == 8
+    follows = api.add_spiral_pocket(job, [(part, [face])])
+    assert follows.ToolController is wide, "that of the last operation"
+
+
+def test_without_a_word_the_first_tool_controller_is_used(doc):
+    job, part, face = small_job(doc)
+    add_mill(job, 8)
+    assert api.add_spiral_pocket(job, [(part, [face])]).OpToolDiameter.Value == 6
+
+
+def test_a_job_in_a_document_that_is_not_active(doc):
+    job, part, face = small_job(doc)
+    other = FreeCAD.newDocument("Other")
+    try:
+        made = api.add_spiral_pocket(job, [(part, [face])])
+        assert made.Document is doc and made in job.Operations.Group
+        assert FreeCAD.ActiveDocument is other and not other.Objects
+    finally:
+        FreeCAD.closeDocument(other.Name)
+
+
+def test_two_jobs_in_one_document(doc):
+    job, part, face = small_job(doc)
+    second = add_job(doc, part, diameter=5)
+    made = api.add_spiral_pocket(second, [(part, [face])])
+    assert made in second.Operations.Group and made not in job.Operations.Group
+
+
+def test_several_parts_and_faces_are_cut_in_the_order_given(doc):
+    left = add_part(doc, block(area(circle(8)), area(rectangle(16, 16, 4, 20, -8))), "Left")
+    right = add_part(doc, block(area(circle(8, 80, 0))), "Right")
+    job = add_job(doc, left, right)
+    names = faces_at(left.Shape, -DEPTH)
+    made = api.add_spiral_pocket(
+        job,
+        [(right, faces_at(right.Shape, -DEPTH)), (left, list(reversed(names)))],
+        Strategy="Linear Morph",
+    )
+    centers = [plan.request.pocket.centroid.x for plan in made.Proxy.plans]
+    assert centers == pytest.approx([80, 28, 0], abs=0.1)
+    assert len(made.SpiralCurve.Edges) == 3
+
+
+def test_inactive_from_the_start(doc):
+    job, part, face = small_job(doc)
+    assert not motion(api.add_spiral_pocket(job, [(part, [face])], Active=False))
+
+
+@pytest.mark.parametrize("post", ["linuxcnc", "grbl"])
+def test_export_writes_and_returns_the_program(doc, tmp_path, post):
+    job, part, face = small_job(doc)
+    made = api.add_spiral_pocket(job, [(part, [face])])
+    before = snapshot(doc)
+    path = tmp_path / "part.nc"
+    text = api.export(job, path, post, args="--no-comments --precision=4")
+    assert path.read_text(encoding="utf-8") == text
+    assert text.count("G3") == sum(c.Name == "G3" for c in made.Path.Commands)
+    assert f"F{made.ToolController.HorizFeed.Value * 60:.0f}" in text
+    assert snapshot(doc) == before
+
+
+@pytest.mark.parametrize("post", ["nonsense", "os; import sys", ""])
+def test_an_unknown_post_is_refused(doc, tmp_path, post):
+    job, part, face = small_job(doc)
+    api.add_spiral_pocket(job, [(part, [face])])
+    with pytest.raises(SetupError, match="no post-processor"):
+        api.export(job, tmp_path / "part.nc", post)
+    assert not (tmp_path / "part.nc").exists()
+
+
+def test_a_file_that_cannot_be_written_is_named(doc, tmp_path):
+    job, part, face = small_job(doc)
+    api.add_spiral_pocket(job, [(part, [face])])
+    with pytest.raises(SetupError, match=r"Cannot write .*part\.nc"):
+        api.export(job, tmp_path / "missing" / "part.nc")
