@@ -70,12 +70,12 @@ def _is_cleared(pieces: Pieces, i: int, disc: Floats, r: float) -> bool:
     """Return whether motion before piece `i` has cleared the cutter's disc at its end."""
     floor = pieces.bottoms[i, 1]
     index = np.flatnonzero(~pieces.rapid[:i] & (pieces.heights[:i] <= floor + SAME_HEIGHT))
-    x, y = pieces.ends[i]
+    end = pieces.ends[i]
     box = pieces.bounds[index]
-    near = (box[:, :2] <= (x + 2 * r, y + 2 * r)).all(axis=1)
-    near &= (box[:, 2:] >= (x - 2 * r, y - 2 * r)).all(axis=1)
+    near = (box[:, :2] <= end + 2 * r).all(axis=1)
+    near &= (box[:, 2:] >= end - 2 * r).all(axis=1)
     index = index[near]
-    points = disc + (x, y)
+    points = disc + end
     standing = np.ones(len(points), bool)
     for start in range(0, len(index), 256):
         part = index[start : start + 256]

@@ -22,10 +22,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .axial import standing_share
+from .gaps import Gaps, standing
 from .levels_alike import find_twins
 from .model import Floats
-from .neighbors import Neighbors, neighborhoods, pairs_of
-from .rim import Gaps, cleared_by_arcs, cleared_by_lines, standing
+from .neighbors import Neighbors, neighborhoods
+from .rim import cleared_intervals
 from .sampling import Samples, between, merge_order, merged, take_samples
 from .swept import SAME_HEIGHT, Pieces, cut_into_pieces
 from .toolpath import Toolpath
@@ -38,8 +40,6 @@ JUMP = np.radians(3.0)
 NEAR = 1.0
 #: A cutter arrives in the solid if more than this of its whole rim is engaged [rad].
 SOLID = 0.95 * 2 * np.pi
-#: Heights of ramps are rounded up to this share of the axial depth.
-HEIGHT_STEP = 1 / 32
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -123,7 +123,7 @@ def along_path(
     measured = _measure(samples, pieces, cutter_radius, axial_depth, top)
     while True:
         fine = max(FINE_SPACING / SPACING * spacing, 1e-9) * 1.001
-        more = between(pieces, samples, measured[0], JUMP, fine)
+        more = between(pieces, samples, measured[0], cutter_radius, JUMP, fine)
         if len(more) == 0:
             break
         added = _measure(more, pieces, cutter_radius, axial_depth, top)
@@ -160,7 +160,7 @@ def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top
     twins = find_twins(samples, pieces)
     new = twins == np.arange(n)
     gaps = uncleared(samples.select(new), pieces, r).repeated(np.cumsum(new)[twins] - 1)
-    load = _load(gaps, samples, pieces, r, axial_depth, top)
+    load = standing_share(gaps, samples, pieces, r, axial_depth, top)
     return np.stack([load, gaps.widths(n, r), gaps.angles(n)])
 
 
@@ -187,7 +187,7 @@ def _uncleared_here(hood: Neighbors, samples: Samples, r: float, half: float) ->
     distance = hood.distances()
     near = distance <= NEAR * r
     rows, piece = hood.pairs(near)
-    pair, low, high = _intervals(samples, rows, piece, hood.pieces, r)
+    pair, low, high = cleared_intervals(samples, rows, piece, hood.pieces, r)
     gaps = standing(rows[pair], low, high, here, half)
     first, last = gaps.hull(hood.first, n, half)
     middle = (first + last) / 2 + samples.headings[here]
@@ -197,89 +197,5 @@ def _uncleared_here(hood: Neighbors, samples: Samples, r: float, half: float) ->
     reach = np.where(first < last, 1.000001 * (r + span), -1.0)
     rest = ~near & (distance <= 2 * r) & hood.within(rim, reach)
     rows, piece = hood.pairs(rest)
-    pair, low, high = _intervals(samples, rows, piece, hood.pieces, r)
+    pair, low, high = cleared_intervals(samples, rows, piece, hood.pieces, r)
     return gaps.without(rows[pair], low, high, half)
-
-
-def _intervals(
-    samples: Samples, rows: NDArray[np.int64], piece: NDArray[np.int64], pieces: Pieces, r: float
-) -> tuple[NDArray[np.int64], Floats, Floats]:
-    """Return the rim intervals cleared in pairs of sample and piece: pair, low, high."""
-    xy, heading = samples.points[rows, :2], samples.headings[rows]
-    arc = pieces.is_arc[piece]
-    if not arc.any():
-        pair, low, high = cleared_by_lines(xy, heading, pieces, piece, r)
-        return pair, low, high
-    lines, arcs = np.flatnonzero(~arc), np.flatnonzero(arc)
-    straight = cleared_by_lines(xy[lines], heading[lines], pieces, piece[lines], r)
-    own = samples.pieces[rows[arcs]] == piece[arcs]
-    until = np.where(own, samples.fractions[rows[arcs]], 1.0)
-    bent = cleared_by_arcs(xy[arcs], heading[arcs], pieces, piece[arcs], r, until, own)
-    return (
-        np.concatenate([lines[straight[0]], arcs[bent[0]]]),
-        np.concatenate([straight[1], bent[1]]),
-        np.concatenate([straight[2], bent[2]]),
-    )
-
-
-def _load(
-    gaps: Gaps, samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float
-) -> Floats:
-    """Average the uncleared angle over the axial depth, from each sample's Z upwards.
-
-    It is constant between the heights that earlier motion nearby has left.
-    """
-    z, n = samples.points[:, 2], len(samples)
-    ceiling = np.minimum(z + axial_depth, top)
-    level, load, angle = z.copy(), np.zeros(n), gaps.angles(n)
-    heights = _stepped_heights(pieces, top, HEIGHT_STEP * axial_depth)
-    rows, piece = _higher_pairs(samples, angle > 0, pieces, heights, ceiling, r)
-    pair, low, high = _intervals(samples, rows, piece, pieces, r)
-    rows, at = rows[pair], heights[piece[pair]]
-    gaps, _ = gaps.split(np.unique(rows))
-    for height in np.unique(at):
-        now = at == height
-        touched = np.unique(rows[now])
-        load[touched] += angle[touched] * (height - level[touched])
-        level[touched] = height
-        gaps = gaps.without(rows[now], low[now], high[now], np.pi / 2)
-        angle[touched] = gaps.angles(n)[touched]
-    load += angle * np.maximum(ceiling - level, 0.0)
-    return load / axial_depth
-
-
-def _higher_pairs(
-    samples: Samples,
-    asking: NDArray[np.bool_],
-    pieces: Pieces,
-    heights: Floats,
-    ceiling: Floats,
-    r: float,
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return pairs of sample and earlier piece between the sample's Z and its ceiling.
-
-    Level by level, because what lies above the ceiling is most of a deep pocket.
-    """
-    z = samples.points[:, 2]
-    step = np.where(pieces.is_level[samples.pieces], SAME_HEIGHT, np.ptp(z) / 16 + SAME_HEIGHT)
-    group = np.round(z / step) * step
-    found = [(np.zeros(0, np.int64), np.zeros(0, np.int64))]
-    for height in np.unique(group[asking]):
-        mine = asking & (group == height)
-        low, high = z[mine].min() + SAME_HEIGHT, ceiling[mine].max() - SAME_HEIGHT
-        wanted = (heights > low) & (heights < high)
-        rows, piece = pairs_of(samples, mine, pieces, wanted, r)
-        true = (z[rows] + SAME_HEIGHT < heights[piece]) & (
-            heights[piece] < ceiling[rows] - SAME_HEIGHT
-        )
-        found.append((rows[true], piece[true]))
-    rows, piece = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    return rows, piece
-
-
-def _stepped_heights(pieces: Pieces, top: float, step: float) -> Floats:
-    """Return the heights of pieces, those of ramps rounded up; infinite for rapids."""
-    flat = pieces.is_level
-    grain = np.where(flat, SAME_HEIGHT, step)
-    steps = np.ceil((pieces.heights - top) / grain - 0.5 * flat)
-    return np.where(pieces.rapid, np.inf, top + steps * grain)

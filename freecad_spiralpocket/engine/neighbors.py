@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import shapely
@@ -176,7 +177,7 @@ def _candidates(
     return block[order], index[order]
 
 
-def _blocks(values: NDArray[np.generic]) -> NDArray[np.generic]:
+def _blocks(values: NDArray[Any]) -> NDArray[Any]:
     """Return values as rows of `BLOCK`, the last one filled up with its last value."""
     missing = -len(values) % BLOCK
     return np.concatenate([values, np.repeat(values[-1:], missing)]).reshape(-1, BLOCK)

@@ -14,20 +14,54 @@ Angles are unwrapped and relative to the direction of travel.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from .model import Floats
+from .sampling import Samples
 from .swept import Pieces
 
 #: The cutter's own trail is taken up to this many radii behind its center: at the very
 #: center the bearing is undefined.
 OWN_TRAIL_GAP = 1e-6
-#: Narrower gaps are rounding [rad].
-NARROWEST = 1e-9
+#: Nearer than this [mm, rad] the cutter center is back on earlier motion: all is cleared.
+SAME_PLACE = 1e-9
+
+
+def cleared_intervals(
+    samples: Samples, rows: NDArray[np.int64], piece: NDArray[np.int64], pieces: Pieces, r: float
+) -> tuple[NDArray[np.int64], Floats, Floats]:
+    """Return the rim intervals that pieces have cleared, lines and arcs.
+
+    Parameters
+    ----------
+    samples : Samples
+    rows, piece : ndarray of int, shape (k,)
+        Sample and piece of each pair; the piece is earlier or the sample's own.
+    pieces : Pieces
+    r : float
+        Cutter radius [mm].
+
+    Returns
+    -------
+    pair, low, high
+        As `cleared_by_lines`.
+    """
+    xy, heading = samples.points[rows, :2], samples.headings[rows]
+    arc = pieces.is_arc[piece]
+    if not arc.any():
+        pair, low, high = cleared_by_lines(xy, heading, pieces, piece, r)
+        return pair, low, high
+    lines, arcs = np.flatnonzero(~arc), np.flatnonzero(arc)
+    straight = cleared_by_lines(xy[lines], heading[lines], pieces, piece[lines], r)
+    own = samples.pieces[rows[arcs]] == piece[arcs]
+    until = np.where(own, samples.fractions[rows[arcs]], 1.0)
+    bent = cleared_by_arcs(xy[arcs], heading[arcs], pieces, piece[arcs], r, until, own)
+    return (
+        np.concatenate([lines[straight[0]], arcs[bent[0]]]),
+        np.concatenate([straight[1], bent[1]]),
+        np.concatenate([straight[2], bent[2]]),
+    )
 
 
 def cleared_by_lines(
@@ -73,6 +107,8 @@ def cleared_by_lines(
     to_low = np.clip(-square, first, last)
     high = np.arctan2(-h, to_high) + np.arccos(np.minimum(np.hypot(h, to_high) / (2 * r), 1.0))
     low = np.arctan2(-h, to_low) - np.arccos(np.minimum(np.hypot(h, to_low) / (2 * r), 1.0))
+    again = (h < SAME_PLACE) & (first < SAME_PLACE) & (last > -SAME_PLACE)
+    low, high = np.where(again, -np.pi, low), np.where(again, np.pi, high)
     turn = np.arctan2(uy[pair], ux[pair]) - headings[pair]
     left = side[pair] >= 0
     return pair, np.where(left, turn + low, turn - high), np.where(left, turn + high, turn - low)
@@ -112,7 +148,10 @@ def cleared_by_arcs(
     for turn in (0.0, 2 * np.pi):
         t0, t1 = np.maximum(begin - turn, -span), np.minimum(end - turn, span)
         pair = np.flatnonzero((cos_span < 1.0) & (t0 < t1))
-        low, high = _arc_interval(t0[pair], t1[pair], rho[pair], far[pair], r)
+        t0, t1 = t0[pair], t1[pair]
+        low, high = _arc_interval(t0, t1, rho[pair], far[pair], r)
+        again = (np.abs(far - rho)[pair] < SAME_PLACE) & (t0 < SAME_PLACE) & (t1 > -SAME_PLACE)
+        low, high = np.where(again, -np.pi, low), np.where(again, np.pi, high)
         shift = bearing[pair] - headings[pair]
         parts.append((pair, shift + low, shift + high))
     pair, low, high = (np.concatenate(p) for p in zip(*parts, strict=True))
@@ -146,142 +185,3 @@ def _arc_interval(
         for t in (square, -square):
             include(t, exists & (t > t0) & (t < t1))
     return low, high
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Gaps:
-    """What still stands along rims: intervals of rim angle, sorted by rim and angle.
-
-    Attributes
-    ----------
-    rims : ndarray of int, shape (g,)
-    begins, ends : ndarray of shape (g,)
-        From the heading, within ``[-pi / 2, pi / 2]`` for the leading half [rad].
-    """
-
-    rims: NDArray[np.int64]
-    begins: Floats
-    ends: Floats
-
-    def angles(self, n: int) -> Floats:
-        """Return the sum of the gaps of each of `n` rims [rad]."""
-        return np.bincount(self.rims, self.ends - self.begins, minlength=n)
-
-    def widths(self, n: int, cutter_radius: float) -> Floats:
-        """Return the sum of the gaps' widths across the heading [mm]."""
-        wide = cutter_radius * np.abs(np.sin(self.ends) - np.sin(self.begins))
-        return np.bincount(self.rims, wide, minlength=n)
-
-    def hull(self, offset: int, n: int, half: float) -> tuple[Floats, Floats]:
-        """Return where the first gap of `n` rims begins and the last one ends [rad].
-
-        Of rims `offset` and following. Without gaps the end comes before the begin.
-        """
-        first, last = np.full(n, half), np.full(n, -half)
-        new = self._firsts()
-        first[self.rims[new] - offset] = self.begins[new]
-        final = np.roll(new, -1)
-        last[self.rims[final] - offset] = self.ends[final]
-        return first, last
-
-    def without(self, rims: NDArray[np.int64], low: Floats, high: Floats, half: float) -> Gaps:
-        """Return what is left when these intervals, given as in `standing`, are cleared too."""
-        mine, others = self.split(rims)
-        known = np.isin(rims, mine.rims)
-        cleared = mine._complement(half)
-        rest = standing(
-            np.concatenate([rims[known], cleared[0]]),
-            np.concatenate([low[known], cleared[1]]),
-            np.concatenate([high[known], cleared[2]]),
-            mine.rims[mine._firsts()],
-            half,
-        )
-        both = Gaps.joined([others, rest])
-        order = np.lexsort((both.begins, both.rims))
-        return Gaps(both.rims[order], both.begins[order], both.ends[order])
-
-    def split(self, rims: NDArray[np.int64]) -> tuple[Gaps, Gaps]:
-        """Return the gaps of the given rims, and the others."""
-        mine = np.isin(self.rims, rims)
-        fields = self.rims, self.begins, self.ends
-        return Gaps(*(f[mine] for f in fields)), Gaps(*(f[~mine] for f in fields))
-
-    def repeated(self, sources: NDArray[np.int64]) -> Gaps:
-        """Return gaps where rim i has those that rim ``sources[i]`` has here."""
-        first = np.searchsorted(self.rims, sources, side="left")
-        count = np.searchsorted(self.rims, sources, side="right") - first
-        rims = np.repeat(np.arange(len(sources)), count)
-        place = np.arange(len(rims)) - np.repeat(np.cumsum(count) - count, count)
-        index = first[rims] + place
-        return Gaps(rims, self.begins[index], self.ends[index])
-
-    @staticmethod
-    def joined(parts: Sequence[Gaps]) -> Gaps:
-        """Return the gaps of all parts, one part after the other."""
-        if len(parts) == 0:
-            return Gaps(np.zeros(0, np.int64), np.zeros(0), np.zeros(0))
-        return Gaps(*(np.concatenate([getattr(p, f) for p in parts]) for f in Gaps.__slots__))
-
-    def _firsts(self) -> NDArray[np.bool_]:
-        """Return which gaps are the first of their rim."""
-        return np.diff(self.rims, prepend=-1) != 0
-
-    def _complement(self, half: float) -> tuple[NDArray[np.int64], Floats, Floats]:
-        """Return the cleared intervals of the rims that have gaps: rims, lows, highs."""
-        new = self._firsts()
-        final = np.roll(new, -1)
-        return (
-            np.concatenate([self.rims, self.rims[final]]),
-            np.concatenate([np.where(new, -half, np.roll(self.ends, 1)), self.ends[final]]),
-            np.concatenate([self.begins, np.full(int(final.sum()), half)]),
-        )
-
-
-def standing(
-    rims: NDArray[np.int64], low: Floats, high: Floats, every: NDArray[np.int64], half: float
-) -> Gaps:
-    """Return what is left of each rim's ``[-half, half]`` outside all its cleared intervals.
-
-    Sorted starts and sorted ends tell the gaps of a union: after the k-th end there is a
-    gap if it comes before the (k+1)-th start. Two plain sorts over all rims at once.
-
-    Parameters
-    ----------
-    rims : ndarray of int, shape (m,)
-        Rim of each interval, 0 or more.
-    low, high : ndarray of shape (m,)
-        [rad]
-    every : ndarray of int
-        All rims, also those without an interval.
-    half : float
-        ``pi / 2`` for the leading half of the rim, ``pi`` for all of it.
-
-    Returns
-    -------
-    Gaps
-    """
-    turns = 2 * np.pi * np.floor((low + np.pi) / (2 * np.pi))
-    low, high = low - turns, high - turns
-    wraps = high > 2 * np.pi - half
-    ahead = (low < half) & (high > -half)
-    n = len(every)
-    rim = np.concatenate([rims[ahead], rims[wraps], every, every])
-    begins = np.concatenate(
-        [np.maximum(low[ahead], -half), np.full(wraps.sum() + n, -half), np.full(n, half)]
-    )
-    ends = np.concatenate(
-        [
-            np.minimum(high[ahead], half),
-            np.minimum(high[wraps] - 2 * np.pi, half),
-            np.full(n, -half),
-            np.full(n, half),
-        ]
-    )
-    pitch = 10.0  # one rim after the other on one axis, farther apart than 2 pi
-    begins = np.sort(begins + pitch * rim)[1:]
-    ends = np.sort(ends + pitch * rim)[:-1]
-    gap = np.flatnonzero(begins > ends + NARROWEST)
-    of = np.rint(ends[gap] / pitch).astype(np.int64)
-    inner = np.rint(begins[gap] / pitch).astype(np.int64) == of
-    gap, of = gap[inner], of[inner]
-    return Gaps(of, ends[gap] - pitch * of, begins[gap] - pitch * of)

@@ -18,7 +18,7 @@ from .swept import Pieces
 
 #: A turn between two pieces above this is a kink [rad].
 KINK = np.radians(5.0)
-#: How far after a kink the next piece is first measured, in cutter radii.
+#: How far after its start a piece is first measured, in cutter radii.
 AFTER_KINK = 1e-6
 #: Ends and starts nearer than this join: posts round arcs [mm].
 ROUNDING = 1e-3
@@ -82,12 +82,9 @@ def take_samples(pieces: Pieces, cutter_radius: float, spacing: float) -> Sample
     place = np.arange(len(run)) - np.repeat(np.cumsum(count) - count, count)
     marks = begin[run] + (place + 0.5) * (end - begin)[run] / count[run]
     index, fraction = _locate(done, lengths, marks)
-    start = np.minimum(AFTER_KINK * cutter_radius / lengths[after], 1.0)
-    return _samples_at(
-        pieces,
-        np.concatenate([index, before, after]),
-        np.concatenate([fraction, np.ones(len(before)), start]),
-    )
+    index = np.concatenate([index, before, after])
+    fraction = np.concatenate([fraction, np.ones(len(before)), np.zeros(len(after))])
+    return _samples_at(pieces, index, _off_start(fraction, lengths[index], cutter_radius))
 
 
 def _breaks(
@@ -104,7 +101,12 @@ def _breaks(
 
 
 def between(
-    pieces: Pieces, samples: Samples, values: Floats, jump: float, spacing: float
+    pieces: Pieces,
+    samples: Samples,
+    values: Floats,
+    cutter_radius: float,
+    jump: float,
+    spacing: float,
 ) -> Samples:
     """Return new samples halfway between neighbors whose values differ by more than `jump`.
 
@@ -115,7 +117,7 @@ def between(
     marks = samples.distances[wide] + gaps[wide] / 2
     lengths = pieces.lengths
     index, fraction = _locate(np.cumsum(lengths), lengths, marks)
-    return _samples_at(pieces, index, fraction)
+    return _samples_at(pieces, index, _off_start(fraction, lengths[index], cutter_radius))
 
 
 def merge_order(one: Samples, other: Samples) -> NDArray[np.int64]:
@@ -132,7 +134,12 @@ def merged(one: Samples, other: Samples, order: NDArray[np.int64]) -> Samples:
 def _locate(done: Floats, lengths: Floats, marks: Floats) -> tuple[NDArray[np.int64], Floats]:
     """Return piece and fraction at lengths of path `marks`; `done` is the length after each."""
     index = np.minimum(np.searchsorted(done, marks), len(done) - 1)
-    return index, np.clip(1.0 - (done[index] - marks) / lengths[index], 1e-12, 1.0)
+    return index, np.clip(1.0 - (done[index] - marks) / lengths[index], 0.0, 1.0)
+
+
+def _off_start(fraction: Floats, lengths: Floats, r: float) -> Floats:
+    """Keep samples off the very start of a piece, where the cutter covers its own trail."""
+    return np.maximum(fraction, np.minimum(AFTER_KINK * r / lengths, 1.0))
 
 
 def _samples_at(pieces: Pieces, index: NDArray[np.int64], fraction: Floats) -> Samples:

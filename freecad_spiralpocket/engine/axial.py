@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How much of a full axial depth stands where the rim is engaged.
+
+Earlier motion that passed above the cutter has left lower ground: a slot opened in
+steps, a helix. What stands at a height is what neither the motion at the cutter's own
+depth nor that up to this height has cleared; it is constant between the heights that
+occur, so a walk over these, from below, sums it up exactly. Ramps are taken as steps.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .gaps import Gaps
+from .model import Floats
+from .neighbors import pairs_of
+from .rim import cleared_intervals
+from .sampling import Samples
+from .swept import SAME_HEIGHT, Pieces
+
+#: Heights of ramps are rounded up to this share of the axial depth.
+HEIGHT_STEP = 1 / 32
+
+
+def standing_share(
+    gaps: Gaps, samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float
+) -> Floats:
+    """Return the uncleared angle, averaged over the axial depth from each sample's Z upwards.
+
+    Parameters
+    ----------
+    gaps : Gaps
+        What no earlier motion has cleared down to the sample's Z.
+    samples : Samples
+    pieces : Pieces
+    r, axial_depth, top : float
+        Cutter radius, axial depth of a full cut and Z of the top of the stock [mm].
+
+    Returns
+    -------
+    ndarray of shape (k,)
+        [rad]
+    """
+    z, n = samples.points[:, 2], len(samples)
+    ceiling = np.minimum(z + axial_depth, top)
+    level, load, angle = z.copy(), np.zeros(n), gaps.angles(n)
+    heights = _stepped_heights(pieces, top, HEIGHT_STEP * axial_depth)
+    rows, piece = _higher_pairs(samples, angle > 0, pieces, heights, ceiling, r)
+    pair, low, high = cleared_intervals(samples, rows, piece, pieces, r)
+    rows, at = rows[pair], heights[piece[pair]]
+    gaps, _ = gaps.split(np.unique(rows))
+    for height in np.unique(at):
+        now = at == height
+        touched = np.unique(rows[now])
+        load[touched] += angle[touched] * (height - level[touched])
+        level[touched] = height
+        gaps = gaps.without(rows[now], low[now], high[now], np.pi / 2)
+        angle[touched] = gaps.angles(n)[touched]
+    load += angle * np.maximum(ceiling - level, 0.0)
+    return load / axial_depth
+
+
+def _higher_pairs(
+    samples: Samples,
+    asking: NDArray[np.bool_],
+    pieces: Pieces,
+    heights: Floats,
+    ceiling: Floats,
+    r: float,
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return pairs of sample and earlier piece between the sample's Z and its ceiling.
+
+    Level by level, because what lies above the ceiling is most of a deep pocket.
+    """
+    z = samples.points[:, 2]
+    step = np.where(pieces.is_level[samples.pieces], SAME_HEIGHT, np.ptp(z) / 16 + SAME_HEIGHT)
+    group = np.round(z / step) * step
+    found = [(np.zeros(0, np.int64), np.zeros(0, np.int64))]
+    for height in np.unique(group[asking]):
+        mine = asking & (group == height)
+        low, high = z[mine].min() + SAME_HEIGHT, ceiling[mine].max() - SAME_HEIGHT
+        wanted = (heights > low) & (heights < high)
+        rows, piece = pairs_of(samples, mine, pieces, wanted, r)
+        true = (z[rows] + SAME_HEIGHT < heights[piece]) & (
+            heights[piece] < ceiling[rows] - SAME_HEIGHT
+        )
+        found.append((rows[true], piece[true]))
+    rows, piece = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    return rows, piece
+
+
+def _stepped_heights(pieces: Pieces, top: float, step: float) -> Floats:
+    """Return the heights of pieces, those of ramps rounded up; infinite for rapids."""
+    flat = pieces.is_level
+    grain = np.where(flat, SAME_HEIGHT, step)
+    steps = np.ceil((pieces.heights - top) / grain - 0.5 * flat)
+    return np.where(pieces.rapid, np.inf, top + steps * grain)
