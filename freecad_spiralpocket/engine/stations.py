@@ -31,6 +31,10 @@ class Measured(Protocol):
         """Engagement angles, shape (k,) [rad]."""
 
     @property
+    def lengths(self) -> Floats:
+        """Length of path each stands for, shape (k,) [mm]."""
+
+    @property
     def moves(self) -> Moves:
         """Move of the toolpath each is on, shape (k,)."""
 

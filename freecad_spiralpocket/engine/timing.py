@@ -60,6 +60,18 @@ class MachineTime:
         """Return the speed [mm/s] at arc lengths [mm] of any shape."""
         return np.sqrt(np.interp(distances, self.distances, self.speeds**2))
 
+    def clock_at(self, distances: Floats) -> Floats:
+        """Return the time since the first motion [s] at arc lengths [mm] of any shape."""
+        steps = np.diff(self.distances)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            times = np.where(steps > 0, 2 * steps / (self.speeds[1:] + self.speeds[:-1]), 0.0)
+        place = np.clip(distances, 0.0, self.distances[-1])
+        index = np.clip(np.searchsorted(self.distances, place) - 1, 0, len(steps) - 1)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            gone = place - self.distances[index]
+            inside = np.where(gone > 0, 2 * gone / (self.speeds[index] + self.speed_at(place)), 0.0)
+        return np.cumsum(np.r_[0.0, times])[index] + inside
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Profile:

@@ -35,6 +35,7 @@ class Engagement(NamedTuple):
 
     points: np.ndarray
     angles: np.ndarray
+    lengths: np.ndarray
     moves: np.ndarray
 
 
@@ -59,7 +60,7 @@ def engaged(path: Toolpath, angle_at) -> Engagement:
     begins = np.cumsum(path.lengths) - path.lengths
     points = points_at(path, moves, (stations - begins[moves]) / path.lengths[moves])
     angles = np.broadcast_to(angle_at(stations), stations.shape).astype(float)
-    return Engagement(points, angles, moves)
+    return Engagement(points, angles, np.full(len(stations), SPACING), moves)
 
 
 def feeds_at(path: Toolpath, stations: np.ndarray) -> np.ndarray:
@@ -255,7 +256,7 @@ def test_lengthened_runs_are_below_and_long(steps, least):
 
 def test_path_without_moves_or_samples():
     empty = ToolpathBuilder((0, 0, 0)).build()
-    none = Engagement(np.zeros((0, 3)), np.zeros(0), np.zeros(0, int))
+    none = Engagement(np.zeros((0, 3)), np.zeros(0), np.zeros(0), np.zeros(0, int))
     assert len(plan_feeds(empty, none, rules(FeedMode.CONSTANT))) == 0
     path = straight(10, 20)
     np.testing.assert_array_equal(
