@@ -19,7 +19,7 @@ a curve, with the step measured by engagement instead of distance.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -117,9 +117,9 @@ def _stepped_ring(ring: shapely.LinearRing, omega: Polygon, rules: FrontRules) -
     curvature = (tangent[:, 0] * bend[:, 1] - tangent[:, 1] * bend[:, 0]) / speed**3
     on_wall = shapely.dwithin(omega.boundary, shapely.points(points), 0.02)
     curvature = np.where(on_wall, 0.0, np.maximum(curvature, 0.0))
-    width = max(3, int(round(2.0 / spacing)) | 1)
+    width = max(3, int(round(2 * REACH * rules.cutter_radius / spacing)) | 1)
     curvature = maximum_filter1d(curvature, width, mode="wrap")
-    curvature = gaussian_filter1d(curvature, 3.0 / spacing, mode="wrap")
+    curvature = gaussian_filter1d(curvature, EVEN * rules.cutter_radius / spacing, mode="wrap")
     step = np.where(on_wall, 0.0, engagement_step(curvature, rules))
     normal = np.column_stack([tangent[:, 1], -tangent[:, 0]]) / speed[:, None]
     return points + step[:, None] * normal
@@ -156,10 +156,17 @@ def largest(shape: Region) -> Polygon:
     return polygons_of(shape)[0]
 
 
+#: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
+#: much, over R: a step that jumps makes waves that grow from lap to lap.
+REACH, EVEN = 1.0, 0.9
 #: Growth ends when a step adds less than this share of the last stroke's area.
 STALLED = 0.02
+#: What is left beyond a neck is worth going through it if larger than this times R^2.
+ROOM = 6.0
 #: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
 MAX_FRONTS = 2000
+#: Left-over pieces of less area are not worth a stroke [mm2].
+SLIVER = 1e-3
 #: Fillet radii tried in the corners, over R; the smallest whose bite keeps below the share of the
 #: step-over is taken at once.
 CORNER_FILLETS = (0.0, 0.17, 0.27, 0.4, 0.57, 0.77, 1.0, 1.3)
@@ -182,13 +189,28 @@ def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
         Nested, from `start` to `omega` itself.
     """
     fronts = [oriented(start)]
+    least = STALLED * rules.stepover * rules.cutter_radius
     for _ in range(MAX_FRONTS):
-        grown = oriented(largest(advance(fronts[-1], omega, rules)))
-        gain = grown.area - fronts[-1].area
-        if gain < STALLED * rules.stepover * rules.cutter_radius:
-            break
-        fronts.append(grown)
+        grown = advance(fronts[-1], omega, rules)
+        if grown.area - fronts[-1].area < least:
+            grown = _through_neck(fronts[-1], omega, rules)
+            if grown is None:
+                break
+        fronts.append(oriented(largest(grown)))
     return fronts + finish_corners(fronts[-1], omega, rules)
+
+
+def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Region | None:
+    """Return the next front where only a neck too narrow for the fillet leads on, or None."""
+    rest = shapely.get_parts(shapely.difference(omega, visited))
+    if not (shapely.area(rest) > ROOM * rules.cutter_radius**2).any():
+        return None
+    for share in (0.5, 0.25, 0.1):
+        finer = replace(rules, fillet=share * rules.fillet)
+        grown = advance(visited, omega, finer)
+        if grown.area - visited.area > STALLED * rules.stepover * rules.cutter_radius:
+            return grown
+    return None
 
 
 def oriented(shape: Polygon) -> Polygon:
@@ -204,9 +226,11 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> list[
     ]
     levels = []
     for _ in range(60):
-        rest = [p for p in polygons_of(shapely.difference(omega, visited)) if p.area > 1e-3]
-        if not rest:
+        rest = shapely.get_parts(shapely.difference(omega, visited))
+        rest = rest[shapely.area(rest) > SLIVER]
+        if len(rest) == 0:
             break
+        shapely.prepare(visited)
         pieces = [_corner_step(piece, visited, opened, rules) for piece in rest]
         grown = shapely.union_all([visited, *pieces])
         grown = oriented(largest(buffer(buffer(grown, 1e-4), -1e-4)))
@@ -221,13 +245,11 @@ def _corner_step(
     piece: Polygon, visited: Polygon, opened: list[Region], rules: FrontRules
 ) -> Region:
     """Return the part of a corner that the next stroke takes."""
-    shapely.prepare(visited)
-    taken: Region = piece
     for share, shape in zip(CORNER_FILLETS, opened, strict=True):
         limit = (LAST_BITE if share == 0 else CORNER_BITE) * rules.stepover
         taken = piece if share == 0 else shapely.intersection(shape, piece)
         points = shapely.points(shapely.get_coordinates(taken))
-        if len(points) and shapely.distance(visited, points).max() <= limit:
+        if len(points) and shapely.dwithin(visited, points, limit).all():
             return taken
     # deeper than any fillet: one ordinary step into it
     return shapely.intersection(piece, buffer(visited, CORNER_BITE * rules.stepover))

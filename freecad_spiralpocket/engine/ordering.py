@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
@@ -20,7 +21,7 @@ from .linking import Motion, hermite_links, link_times
 from .model import Floats
 from .routing import route
 from .spiral import chains_of, closed_line, spiral_through
-from .strokes import Stroke
+from .strokes import CHORD, Stroke
 
 #: A stroke leans on strokes of lower levels within this many step-overs.
 LEANS = 1.25
@@ -131,11 +132,10 @@ def _source(before: Polygon, lap: Stroke, radius: float) -> tuple[LineString, fl
 
     It is left where the step to the lap is least.
     """
-    points = shapely.points(lap.points)
-    shapely.prepare(before)
-    steps = shapely.distance(before, points)
-    best = lap.points[int(np.argmin(steps))]
     rings = [before.exterior, *before.interiors]
+    edge = np.vstack([shapely.get_coordinates(shapely.segmentize(r, CHORD)) for r in rings])
+    steps, _ = cKDTree(edge).query(lap.points)
+    best = lap.points[int(np.argmin(steps))]
     ring = min(rings, key=lambda r: r.distance(shapely.Point(best)))
     line = LineString(shapely.get_coordinates(ring))
     return line, (line.project(shapely.Point(best)) - 2 * radius) % line.length

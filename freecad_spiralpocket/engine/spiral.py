@@ -18,8 +18,11 @@ from shapely import LineString
 from .model import Floats
 from .strokes import CHORD, Stroke
 
-#: Length of the zone over which a lap becomes the next, over R.
-BLEND = 4.5
+#: Length of the zone over which a lap becomes the next, over R: the way across adds its angle to
+#: the engagement.
+BLEND = 7.0
+#: Share of the zone over which that angle builds up, and dies away.
+EASE = 0.2
 
 
 def closed_line(points: Floats) -> LineString:
@@ -27,9 +30,12 @@ def closed_line(points: Floats) -> LineString:
     return LineString(np.vstack([points, points[:1]]))
 
 
-def smoothstep(u: Floats) -> Floats:
-    """Return ``3 u^2 - 2 u^3``."""
-    return u * u * (3 - 2 * u)
+def eased(u: Floats) -> Floats:
+    """Return a rise from 0 to 1 whose slope builds up and dies away evenly, flat between."""
+    top = 1 / (1 - EASE)
+    rise = top * u * u / (2 * EASE)
+    fall = 1 - top * (1 - u) ** 2 / (2 * EASE)
+    return np.where(u < EASE, rise, np.where(u > 1 - EASE, fall, top * (u - EASE / 2)))
 
 
 def between(line: LineString, start: float, length: float) -> Floats:
@@ -56,7 +62,7 @@ def blend(lap: LineString, start: float, target: LineString, length: float) -> F
     u = np.linspace(0.0, 1.0, count + 1)
     source = shapely.line_interpolate_point(lap, (start + u * length) % lap.length)
     onto = shapely.line_interpolate_point(target, shapely.line_locate_point(target, source))
-    s = smoothstep(u)[:, None]
+    s = eased(u)[:, None]
     return (1 - s) * shapely.get_coordinates(source) + s * shapely.get_coordinates(onto)
 
 

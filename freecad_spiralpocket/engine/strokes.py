@@ -91,7 +91,7 @@ def _new_runs(ring: shapely.LinearRing, before: Polygon) -> list[tuple[Floats, b
     kept = []
     for a, b in merged:
         run = np.arange(a, b + 1) % len(points)
-        if shapely.distance(before, geometry[run]).max() < THINNEST:
+        if shapely.dwithin(before, geometry[run], THINNEST).all():
             continue
         kept.append((_overrun(points, along, total, a, b), False))
     return kept

@@ -27,7 +27,7 @@ from ..strokes import Stroke, strokes_of
 from ..toolpath import Role
 
 #: Least radius of reentrant curves, and radius with which fronts meet walls, over R.
-CLOSING, FILLET = 1.33, 1.17
+CLOSING, FILLET = 1.33, 1.4
 #: Raster pixels across the cutter.
 PIXELS = 24
 
@@ -46,7 +46,7 @@ def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
     CutterDoesNotFitError
         If there is no room to go down.
     """
-    region = oriented(region)
+    region = oriented(shapely.simplify(region, 0.001))
     motion = motion_of(request)
     best, least = None, math.inf
     for start in candidates(region, request):
