@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A page about a program or an operation: the figures and the papers' plots.
+
+Reads G-code anywhere; of a FreeCAD document (inside FreeCAD's Python) it takes the path of
+an operation with its tool, depths and step-over. Writes one HTML file with the pictures in it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import html
+import io
+import re
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from . import gcode, machines
+from .engine.errors import RequestError, SetupError, SpiralPocketError
+from .engine.force import MATERIALS, Cutter
+from .engine.toolpath import Toolpath
+from .study import Setup, Study
+
+#: Where the program does not say [1/min].
+SPINDLE_SPEED = 10_000.0
+
+_STYLE = """body{font:15px/1.5 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em}
+table{border-collapse:collapse}td{padding:.15em 1.5em .15em 0}img{max-width:100%}
+figure{margin:1.5em 0}figcaption{color:#555}"""
+
+
+@dataclass(frozen=True)
+class _Source:
+    """A toolpath and what its file says about it; None where it says nothing."""
+
+    toolpath: Toolpath
+    diameter: float | None = None
+    spindle_speed: float | None = None
+    axial_depth: float | None = None
+    top: float | None = None
+    stepover: float | None = None
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the parser of the command line."""
+    p = argparse.ArgumentParser(
+        prog="./dev report", description="Write a page with the figures and plots of a program."
+    )
+    add = p.add_argument
+    add("file", type=Path, help="G-code, or a FreeCAD document with an operation")
+    add(
+        "-o",
+        "--output",
+        type=Path,
+        metavar="FILE",
+        help="page to write, beside the file if not given",
+    )
+    add("--operation", metavar="LABEL", help="of the document, the first one if not given")
+    add("--tool", type=float, metavar="D", help="diameter of the end mill [mm]")
+    add("--flutes", type=int, default=2)
+    add("--helix", type=float, default=30.0, metavar="DEG", help="helix angle of the flutes")
+    add("--stepover", type=float, metavar="MM", help="largest radial depth of cut [mm]")
+    add(
+        "--axial-depth",
+        type=float,
+        metavar="MM",
+        help="of a full cut; the whole depth if not given",
+    )
+    add("--top", type=float, metavar="Z", help="top of the stock, 0 if not given")
+    add("--spindle", type=float, metavar="RPM", help="spindle speed")
+    add("--conventional", action="store_true", help="the program mills conventionally")
+    add("--machine", default="vmc", help="preset, such as hobby_router")
+    add("--machines", type=Path, metavar="FOLDER", help="folder with presets of your own")
+    add("--material", default=next(iter(MATERIALS)), choices=list(MATERIALS))
+    return p
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line and return the exit code: 0, or 1 if there is no page."""
+    args = parser().parse_args(argv)
+    try:
+        study = Study(*_study(args))
+        target = args.output or args.file.with_suffix(".html")
+        write_page(study, target, args.file.name)
+    except (SpiralPocketError, OSError) as error:
+        print(f"report: {error}", file=sys.stderr)
+        return 1
+    for name, value in study.figures().items():
+        print(f"{name:40} {value}")
+    print(f"Written: {target}")
+    return 0
+
+
+def write_page(study: Study, target: Path, title: str) -> None:
+    """Write the page about `study` to `target`.
+
+    Raises
+    ------
+    SetupError
+        If matplotlib is missing.
+    """
+    rows = "".join(
+        f"<tr><td>{html.escape(name)}</td><td>{html.escape(value)}</td></tr>\n"
+        for name, value in study.figures().items()
+    )
+    pictures = "".join(
+        f'<figure><img alt="" src="data:image/png;base64,{data}">'
+        f"<figcaption>{html.escape(caption)}</figcaption></figure>\n"
+        for caption, data in _pictures(study)
+    )
+    title = html.escape(title)
+    target.write_text(
+        f'<!doctype html>\n<html lang="en"><meta charset="utf-8"><title>{title}</title>\n'
+        f"<style>{_STYLE}</style>\n<h1>{title}</h1>\n<table>\n{rows}</table>\n{pictures}</html>\n",
+        encoding="utf-8",
+    )
+
+
+def _pictures(study: Study) -> list[tuple[str, str]]:
+    """Return captions and PNG pictures in base 64."""
+    try:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise SetupError(
+            "The page's plots need the Python library matplotlib, which is missing here.",
+            "Install it with the Addon Manager or pip.",
+        ) from error
+    from . import plots
+
+    source = f"Force model: {study.setup.material.source}."
+    drawings: list[tuple[Callable[[Any, Study], None], str, tuple[float, float]]] = [
+        (plots.path_by_engagement, "The path, colored by engagement angle.", (10, 8)),
+        (plots.engagement_along_path, "Engagement angle along the path.", (11, 3.5)),
+        (plots.feed_direction_along_path, "Feed direction along the path.", (11, 3.5)),
+        (plots.velocity_along_path, f"Velocity profile on {study.setup.machine.name}.", (11, 3.5)),
+        (plots.force_against_time, f"Cutting force against time. {source}", (11, 3.5)),
+        (plots.curvature_histogram, "Curvature of the path.", (8, 3.5)),
+        (plots.engagement_histogram, "Engagement over length and time.", (8, 3.5)),
+    ]
+    pictures = []
+    for draw, caption, size in drawings:
+        figure = Figure(figsize=size, dpi=110, layout="constrained")
+        FigureCanvasAgg(figure)
+        draw(figure.add_subplot(), study)
+        buffer = io.BytesIO()
+        figure.savefig(buffer, format="png")
+        pictures.append((caption, base64.b64encode(buffer.getvalue()).decode()))
+    return pictures
+
+
+def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
+    """Return path and setup; what the arguments say goes before what the file says."""
+    if not args.file.is_file():
+        raise RequestError(f"There is no file {args.file}.")
+    is_document = args.file.suffix.lower() == ".fcstd"
+    source = _from_document(args.file, args.operation) if is_document else _from_program(args.file)
+
+    def pick(name: str, default: float | None) -> float | None:
+        given, found = getattr(args, name), getattr(source, name, None)
+        return given if given is not None else found if found is not None else default
+
+    args.diameter, args.spindle_speed = args.tool, args.spindle and args.spindle / 60
+    diameter = pick("diameter", None)
+    if diameter is None:
+        raise RequestError("The program does not say how wide the cutter is.", "Give --tool.")
+    top = pick("top", 0.0)
+    lowest = float(source.toolpath.points[:, 2].min())
+    depth = pick("axial_depth", top - lowest)
+    if not depth > 0:
+        raise RequestError("The program never goes below the top of the stock.", "Give --top.")
+    stepover = pick("stepover", None)
+    limit = np.nan if stepover is None else float(np.arccos(max(-1.0, 1 - 2 * stepover / diameter)))
+    return source.toolpath, Setup(
+        cutter=Cutter(diameter, args.flutes, np.radians(args.helix)),
+        machine=machines.load(args.machine, args.machines),
+        material=MATERIALS[args.material],
+        spindle_speed=pick("spindle_speed", SPINDLE_SPEED / 60),
+        axial_depth=depth,
+        top=top,
+        engagement_limit=limit,
+        climb=not args.conventional,
+    )
+
+
+def _from_program(path: Path) -> _Source:
+    """Return what a G-code file says."""
+    text = path.read_text(encoding="utf-8", errors="replace")
+    speeds = [float(s) for s in re.findall(r"\bS(\d+\.?\d*)", text)]
+    spindle = max(speeds, default=0.0)
+    return _Source(gcode.parse_program(text), spindle_speed=spindle / 60 or None)
+
+
+def _from_document(path: Path, label: str | None) -> _Source:
+    """Return what an operation in a FreeCAD document says."""
+    try:
+        import FreeCAD
+    except ImportError as error:
+        raise SetupError(
+            "A FreeCAD document can only be read by FreeCAD's own Python.",
+            "Post the program and give that file instead.",
+        ) from error
+    document = FreeCAD.openDocument(str(path.resolve()), True)
+    operations = [
+        o
+        for o in document.Objects
+        if hasattr(o, "ToolController") and hasattr(o, "Path") and hasattr(o, "FinalDepth")
+    ]
+    if label is not None:
+        operations = [o for o in operations if label in (o.Label, o.Name)]
+    if not operations:
+        raise RequestError(f"{path.name} holds no such operation.", "Name one with --operation.")
+    op = operations[0]
+    lines = []
+    for command in op.Path.Commands:
+        # FreeCAD's feeds are mm/s, those of programs mm/min
+        words = {k: v * 60 if k == "F" else v for k, v in command.Parameters.items()}
+        if not command.Name.startswith("("):
+            lines.append(" ".join([command.Name, *(f"{k}{v:.6f}" for k, v in words.items())]))
+    diameter = float(op.ToolController.Tool.Diameter)
+    start, final = op.StartDepth.Value, op.FinalDepth.Value
+    step_down = op.StepDown.Value if hasattr(op, "StepDown") else start - final
+    return _Source(
+        gcode.parse_program("\n".join(lines)),
+        diameter=diameter,
+        spindle_speed=float(op.ToolController.SpindleSpeed) / 60 or None,
+        axial_depth=min(start - final, step_down),
+        top=start,
+        stepover=diameter * op.StepOver / 100 if hasattr(op, "StepOver") else None,
+    )
+
+
+if __name__ == "__main__":
+    sys.exit(main())
