@@ -11,6 +11,7 @@ beside itself:
 
 import math
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import FreeCAD
@@ -18,7 +19,7 @@ import Part
 from FreeCAD import Vector
 
 LENGTH = 600.0  # mm, all of them
-THICKNESS = 20.0
+THICKNESS = 15.0
 FLOOR = 3.0
 FLANGE = 6.0
 WEB = 5.0
@@ -69,7 +70,7 @@ def pockets():
     """Yield the corners of each pocket before rounding, counter-clockwise."""
     upper, lower = side(UPPER), side(LOWER)
     edges = [FLANGE - WEB / 2, *WEBS, LENGTH - FLANGE + WEB / 2]
-    for bay, (left, right) in enumerate(zip(edges[:-1], edges[1:], strict=True)):
+    for bay, (left, right) in enumerate(pairwise(edges)):
         x0, x1 = left + WEB / 2, right - WEB / 2
         b0, b1 = (height(lower, x) + FLANGE for x in (x0, x1))
         t0, t1 = (height(upper, x) - FLANGE for x in (x0, x1))

@@ -27,12 +27,17 @@ if TYPE_CHECKING:
 WIDTH, DPI = 16.0, 130  # in, 1/in
 #: Heights closer than this are one level [mm].
 SAME_HEIGHT = 1e-3
+#: A smaller engagement is none [rad].
+UNLOADED = np.radians(1)
 #: Angles per drawn chord of an arc [rad].
 ARC_STEP = np.radians(6)
 
 WALL, ISLAND, OUTLINE = "#f4f4f2", "#cfcfca", "#30302e"
-ENTRY_COLOR, LINK_COLOR, RAPID_COLOR = "#d6248f", "#1a9850", "#9a9a9a"
+ENTRY_COLOR, LINK_COLOR, IDLE_COLOR, RAPID_COLOR = "#d6248f", "#5b6770", "#a9c4de", "#9a9a9a"
 COLOR_MAP = "turbo"
+#: The color bar reaches at least this multiple of the limit: at the limit the path is green to
+#: yellow, what is red is overloaded.
+LIMIT_SHARE = 1.6
 
 
 def draw(plans: Sequence[Plan], path: str | os.PathLike[str], title: str = "") -> None:
@@ -95,16 +100,18 @@ def _draw_pocket(axes: Axes, plan: Plan) -> None:
 
 
 def _draw_moves(axes: Axes, plan: Plan) -> None:
-    """Draw entries and links."""
+    """Draw entries, links, and below the colored path what cuts nothing."""
     roles = plan.toolpath.roles
-    for role, color, width, label in (
-        (Role.ENTRY, ENTRY_COLOR, 1.6, "entry"),
-        (Role.LINK, LINK_COLOR, 1.2, "link at depth"),
+    for role, color, width, label, order in (
+        (Role.ENTRY, ENTRY_COLOR, 1.6, "entry", 5),
+        (Role.LINK, LINK_COLOR, 0.6, "link at depth", 3.5),
+        (Role.CUT, IDLE_COLOR, 0.9, "cut without load", 3.4),
+        (Role.FINISH, IDLE_COLOR, 0.9, "cut without load", 3.4),
     ):
         chosen = np.flatnonzero(roles == role)
         if len(chosen):
             line = np.concatenate([_polyline(plan, i) for i in chosen])
-            axes.plot(*line.T, color=color, lw=width, label=label, zorder=5)
+            axes.plot(*line.T, color=color, lw=width, label=label, zorder=order)
 
 
 def _polyline(plan: Plan, index: int) -> Any:
@@ -145,7 +152,7 @@ def _draw_engagement(figure: Figure, axes: Axes, plans: Sequence[Plan]) -> None:
     segments = np.concatenate([s for s, _ in parts])
     angles = np.degrees(np.concatenate([a for _, a in parts]))
     limit = np.degrees(max(p.report.engagement_limit for p in plans))
-    top = max(limit * 1.25, float(angles.max(initial=0.0)))
+    top = max(limit * LIMIT_SHARE, float(angles.max(initial=0.0)))
     lines = LineCollection(
         segments, cmap=COLOR_MAP, norm=Normalize(0, top), lw=1.1, zorder=4, capstyle="round"
     )
@@ -166,7 +173,8 @@ def _colored(plan: Plan) -> tuple[Any, Any]:
     low = np.abs(points[:, 2] - points[:, 2].min()) < SAME_HEIGHT
     step = np.hypot(*np.diff(points[:, :2], axis=0).T)
     near = step < plan.request.cutter_radius
-    chosen = np.flatnonzero(low[:-1] & low[1:] & near)
+    loaded = angles[1:] > UNLOADED
+    chosen = np.flatnonzero(low[:-1] & low[1:] & near & loaded)
     return np.stack([points[chosen, :2], points[chosen + 1, :2]], axis=1), angles[chosen + 1]
 
 

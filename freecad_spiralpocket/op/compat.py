@@ -46,6 +46,7 @@ __all__ = [
     "add_tool_controller",
     "parent_job",
     "post_process",
+    "set_end_mill",
     "supplied_tool_controller",
     "tool_shape",
 ]
@@ -115,13 +116,20 @@ def active_document(document: Any) -> Iterator[None]:
 
 
 def add_tool_controller(job: Any, diameter: float) -> Any:
-    """Add an end mill of `diameter` [mm] with its tool controller to `job` and return that."""
+    """Add a tool controller with an end mill of `diameter` [mm] to `job` and return it."""
     number = 1 + max((tc.ToolNumber for tc in job.Tools.Group), default=0)
-    tool_controller = PathToolController.Create(f"TC: {diameter:g} mm end mill", toolNumber=number)
+    with active_document(job.Document):
+        tool_controller = PathToolController.Create(toolNumber=number)
+        job.Proxy.addToolController(tool_controller)
+    set_end_mill(tool_controller, diameter)
+    return tool_controller
+
+
+def set_end_mill(tool_controller: Any, diameter: float) -> None:
+    """Make the end mill of a new tool controller `diameter` [mm] wide and name both after it."""
     tool_controller.Tool.Diameter = diameter
     tool_controller.Tool.Label = f"{diameter:g} mm end mill"
-    job.Proxy.addToolController(tool_controller)
-    return tool_controller
+    tool_controller.Label = f"TC: {diameter:g} mm end mill"
 
 
 def post_process(job: Any, post: str, args: str) -> str:

@@ -81,3 +81,19 @@ def edge(curve: SplineCurve, z: float) -> Any:
         curve.degree,
     )
     return spline.toShape()
+
+
+def summary(obj: Any) -> list[str]:
+    """Return a short report of the operation for the terminal, one line for each figure."""
+    limit = max((p.report.engagement_limit for p in obj.Proxy.plans), default=0.0)
+    minutes, seconds = divmod(round(obj.MachiningTime), 60)
+    time = f"{minutes} min {seconds:02d} s" if obj.MachiningTime else "unknown, there are no feeds"
+    return [
+        f"time        {time}",
+        f"length      {obj.PathLength.Value / 1000:.2f} m",
+        f"engagement  {obj.LargestEngagement.Value:.0f} deg at most, "
+        f"{np.degrees(limit):.0f} deg on a straight cut",
+        f"uncut       {obj.UncutArea:.2f} mm2",
+        f"gouge       {obj.Gouge.Value:.3f} mm",
+        *(f"notice      {notice}" for notice in obj.Notices),
+    ]

@@ -28,8 +28,7 @@ INCH = 25.4
 
 def add_mill(job, diameter):
     """Return a second tool controller of `job`."""
-    with compat.active_document(job.Document):
-        controller = compat.add_tool_controller(job, diameter)
+    controller = compat.add_tool_controller(job, diameter)
     set_feeds(controller, 900)
     job.Document.recompute()
     return controller

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Toolpaths become commands that every post, dressup and simulator understands."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -80,6 +82,6 @@ def test_joined_pockets_repeat_no_rapid_and_end_without_the_lift():
     one = built(("line", (1, 0, -1), FEED, Role.CUT), ("rapid", RAPID, None, None, 5))
     two = commands.join([one, one])
     assert [c.Name for c in two].count("G1") == 2
-    pairs = list(zip(two[:-1], two[1:], strict=True))
+    pairs = list(pairwise(two))
     assert not any(a.Parameters == b.Parameters for a, b in pairs)
     assert commands.without_last_lift(two)[-1].Name == "G1"

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The life of an operation: recompute, save and reopen, copy, switch off, undo."""
 
+from itertools import pairwise
+
 import FreeCAD
 import Part
 import pytest
@@ -56,7 +58,7 @@ def test_the_path_uses_only_what_all_posts_understand(op):
 
 def test_no_move_of_the_path_goes_nowhere(op):
     places = [tuple(round(v, 3) for v in (c.x, c.y, c.z)) for c in motion(op)[1:-1]]
-    assert all(a != b for a, b in zip(places[:-1], places[1:], strict=True))
+    assert all(a != b for a, b in pairwise(places))
 
 
 def test_the_path_reaches_the_floor_and_ends_at_clearance(op):

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Spiral Pocket on the command line, inside FreeCAD's Python.
+
+Opens a part, makes a job with an end mill (or takes the job that is there), adds
+one operation for the chosen floors and writes what was asked for: G-code, the
+FreeCAD document, a picture. The report on the terminal has one line for each
+figure. The stock's top is the part's top.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from . import api
+from .engine.errors import SelectionError, SetupError, SpiralPocketError
+from .op import compat, part_files, results, selection
+
+#: What a new tool controller gets where nothing is said [mm/min].
+FEED, RAPID = 1000.0, 5000.0
+#: Plunge feed over horizontal feed.
+PLUNGE_SHARE = 0.25
+#: Depth of a pocket of which only the outline is given [mm].
+DEPTH = 5.0
+#: Diameters closer than this are one tool [mm].
+SAME_DIAMETER = 1e-6
+
+NO_TOOL = ("There is no tool.", "Give the end mill's diameter with --tool.")
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the parser of the command line."""
+    p = argparse.ArgumentParser(
+        prog="./dev cam", description="Clear pockets with a spiral and write the program."
+    )
+    add = p.add_argument
+    add("part", type=Path, help="STEP, IGES, BREP or FCStd file, or a pocket's outline as JSON")
+    add("--part", dest="part_name", metavar="NAME", help="the part, if the file has several")
+    add(
+        "--face",
+        dest="faces",
+        action="append",
+        metavar="FACE",
+        help="floor of a pocket such as Face12, may be given several times; all: every one",
+    )
+    add("--tool", type=float, metavar="D", help="diameter of the end mill [mm]")
+    add("--stepover", type=int, metavar="PERCENT", help="of the tool's diameter, at most")
+    add("--depth", type=float, help="how deep to cut below the stock's top [mm]")
+    add("--feed", type=float, help=f"horizontal feed [mm/min], {FEED:g} for a new tool")
+    add("--plunge", type=float, help="vertical feed [mm/min], a quarter of the feed")
+    add("--rapid", type=float, help=f"rapid rate [mm/min], {RAPID:g} for a new tool")
+    add("--spindle", type=float, metavar="RPM", help="spindle speed [1/min]")
+    add(
+        "--set",
+        dest="values",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="any property of the operation, may be given several times",
+    )
+    add("--post", default="linuxcnc", help="FreeCAD post-processor, linuxcnc if not given")
+    add("--post-args", default="", metavar="ARGS", help="arguments for the post-processor")
+    add("-o", "--output", type=Path, metavar="FILE", help="G-code to write")
+    add("--fcstd", type=Path, metavar="FILE", help="FreeCAD document to write")
+    add("--png", type=Path, metavar="FILE", help="picture to write")
+    return p
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line and return the exit code: 0, or 1 if nothing could be cut."""
+    args = parser().parse_args(argv)
+    try:
+        run(args)
+    except SpiralPocketError as error:
+        print(f"cam: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def run(args: argparse.Namespace) -> Any:
+    """Do what the arguments ask for and return the operation."""
+    document, outline = part_files.load(args.part, args.depth or DEPTH)
+    if args.tool is None:
+        args.tool = outline.get("tool")
+    if args.stepover is None and "ae" in outline and args.tool:
+        args.stepover = round(100 * outline["ae"] / args.tool)
+    with compat.active_document(document):
+        job = part_files.find_job(document)
+        part = part_files.find_part(document, args.part_name) if job is None else None
+        model = job.Model.Group[0] if job else part
+        faces = choose_faces(model, args.faces)
+        if job is None:
+            if args.tool is None:
+                raise SetupError(*NO_TOOL)
+            job = new_job(part, args.tool)
+        controller = tool_controller(job, args.tool)
+        set_speeds(controller, args)
+        document.recompute()
+        op = api.add_spiral_pocket(job, [(model, faces)], controller, **properties(args, job))
+        write(args, job, op)
+    print("\n".join(results.summary(op)))
+    return op
+
+
+def new_job(part: Any, diameter: float) -> Any:
+    """Return a job for `part` with an end mill, whose stock ends at the part's top.
+
+    Parameters
+    ----------
+    part : object
+    diameter : float
+        Of the end mill [mm].
+    """
+    job = compat.PathJob.Create("Job", [part], None)
+    job.Stock.ExtZpos = 0
+    compat.set_end_mill(job.Tools.Group[0], diameter)
+    return job
+
+
+def choose_faces(model: Any, names: Sequence[str] | None) -> list[str]:
+    """Return the names of the floors to cut.
+
+    Raises
+    ------
+    SelectionError
+        If none was named and there is not exactly one; its hint lists them.
+    """
+    if names and list(names) != ["all"]:
+        return list(names)
+    floors = sorted(selection.find_floors(model), key=lambda f: f.face.BoundBox.XMin)
+    if not floors:
+        raise SelectionError(
+            "The part has no pocket that is walled all around.", "Name its floor with --face."
+        )
+    if len(floors) > 1 and not names:
+        listed = "\n".join(
+            f"  --face {f.name:8} at Z{f.z:g}, {f.face.Area / 100:.1f} cm2, around "
+            f"X{f.face.CenterOfMass.x:.1f} Y{f.face.CenterOfMass.y:.1f}"
+            for f in floors
+        )
+        raise SelectionError(
+            f"The part has {len(floors)} pockets.", f"Choose with --face, or --face all:\n{listed}"
+        )
+    return [f.name for f in floors]
+
+
+def tool_controller(job: Any, diameter: float | None) -> Any:
+    """Return the job's tool controller with the end mill asked for, a new one if there is none.
+
+    Raises
+    ------
+    SetupError
+        If none was asked for and there is none.
+    """
+    found = list(job.Tools.Group)
+    if diameter is not None:
+        found = [tc for tc in found if abs(float(tc.Tool.Diameter) - diameter) < SAME_DIAMETER]
+    if found:
+        return found[0]
+    if diameter is None:
+        raise SetupError(*NO_TOOL)
+    return compat.add_tool_controller(job, diameter)
+
+
+def set_speeds(controller: Any, args: argparse.Namespace) -> None:
+    """Set the speeds that were given, and those that the tool controller lacks."""
+    feed = args.feed or (0 if controller.HorizFeed.Value else FEED)
+    plunge = args.plunge or PLUNGE_SHARE * feed
+    rapid = args.rapid or (0 if controller.HorizRapid.Value else RAPID)
+    for value, names in (
+        (feed, ["HorizFeed"]),
+        (plunge, ["VertFeed"]),
+        (rapid, ["HorizRapid", "VertRapid"]),
+    ):
+        for name in names if value else ():
+            controller.setExpression(name, None)
+            setattr(controller, name, value / 60)
+    if args.spindle:
+        controller.SpindleSpeed = args.spindle
+
+
+def properties(args: argparse.Namespace, job: Any) -> dict[str, Any]:
+    """Return the properties that the arguments set."""
+    values: dict[str, Any] = {}
+    if args.stepover is not None:
+        values["StepOver"] = args.stepover
+    if args.depth is not None:
+        values["FinalDepth"] = job.Stock.Shape.BoundBox.ZMax - args.depth
+    for pair in args.values:
+        name, found, text = pair.partition("=")
+        if not found:
+            raise SetupError(f"--set {pair} has no value.", "Write it as NAME=VALUE.")
+        values[name] = value_of(text)
+    return values
+
+
+def value_of(text: str) -> Any:
+    """Return `text` as a truth value or a number where it is one."""
+    if text.lower() in ("true", "false"):
+        return text.lower() == "true"
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def write(args: argparse.Namespace, job: Any, op: Any) -> None:
+    """Write the files that were asked for."""
+    if args.output:
+        api.export(job, args.output, args.post, args.post_args)
+    if args.png:
+        from . import picture
+
+        picture.draw(op.Proxy.plans, args.png, f"{args.part.stem}, {op.ToolController.Label}")
+    if args.fcstd:
+        job.Document.saveAs(str(args.fcstd.resolve()))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

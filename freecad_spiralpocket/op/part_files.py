@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a file to a part in a document: STEP, IGES, BREP, FreeCAD, or a pocket's outline.
+
+An outline is a JSON file with `outer`, a list of points [mm], and `holes`, a list
+of such lists; it becomes a block with that pocket, whose top is at Z0. It may
+name a cutter diameter `tool` and a largest radial depth of cut `ae`.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import Part
+from FreeCAD import Vector
+
+from ..engine.errors import SetupError
+from .compat import PathJob
+
+SHAPE_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
+#: Material around and below the pocket of an outline [mm].
+MARGIN = 15.0
+BELOW = 5.0
+
+
+def load(path: Path, depth: float) -> tuple[Any, dict[str, float]]:
+    """Open a part file in a document.
+
+    Parameters
+    ----------
+    path : Path
+    depth : float
+        Of the pocket, where the file is only an outline [mm].
+
+    Returns
+    -------
+    document : object
+    values : dict
+        `tool` and `ae`, where an outline names them [mm].
+
+    Raises
+    ------
+    SetupError
+        If the file cannot be read.
+    """
+    kind = path.suffix.lower()
+    if not path.is_file():
+        raise SetupError(f"There is no file {path}.", "Check its name.")
+    if kind == ".fcstd":
+        return FreeCAD.openDocument(str(path)), {}
+    if kind == ".json":
+        outline = _outline(path)
+        values = {k: float(outline[k]) for k in ("tool", "ae") if k in outline}
+        return _document(path, block(outline["outer"], outline.get("holes", []), depth)), values
+    if kind not in SHAPE_SUFFIXES:
+        raise SetupError(
+            f"{path.name} is of no known kind.", "Give a STEP, IGES, BREP, FCStd or JSON file."
+        )
+    try:
+        shape = Part.read(str(path))
+    except (Part.OCCError, OSError) as error:
+        raise SetupError(f"{path.name} cannot be read.", "Export the part again.") from error
+    return _document(path, solid(shape)), {}
+
+
+def block(outer: Any, holes: Any, depth: float) -> Any:
+    """Return a block whose top is at Z0 with a pocket `depth` deep."""
+    floor = Part.Face([_wire(outer), *(_wire(h) for h in holes)])
+    box = floor.BoundBox
+    corner = Vector(box.XMin - MARGIN, box.YMin - MARGIN, -depth - BELOW)
+    size = (box.XLength + 2 * MARGIN, box.YLength + 2 * MARGIN, depth + BELOW)
+    floor.translate(Vector(0, 0, -depth))
+    return Part.makeBox(*size, corner).cut(floor.extrude(Vector(0, 0, depth + 1)))
+
+
+def solid(shape: Any) -> Any:
+    """Return `shape`, sewn to solids if it consists of faces only, as IGES files do."""
+    if shape.Solids:
+        return shape
+    sewn = shape.copy()
+    sewn.sewShape()
+    closed = [Part.Solid(shell) for shell in sewn.Shells if shell.isClosed()]
+    return Part.Compound(closed) if closed else shape
+
+
+def find_job(document: Any) -> Any:
+    """Return the only job of `document`, None if there is none.
+
+    Raises
+    ------
+    SetupError
+        If there are several.
+    """
+    jobs = [o for o in document.Objects if isinstance(getattr(o, "Proxy", 0), PathJob.ObjectJob)]
+    if len(jobs) > 1:
+        names = ", ".join(j.Label for j in jobs)
+        raise SetupError(f"The file has several jobs: {names}.", "Leave one in it.")
+    return jobs[0] if jobs else None
+
+
+def find_part(document: Any, name: str | None) -> Any:
+    """Return the solid part called `name`, or the only one.
+
+    Raises
+    ------
+    SetupError
+        If there is none, or the choice is not clear.
+    """
+    parts = [
+        o for o in document.RootObjects if getattr(o, "Shape", None) is not None and o.Shape.Solids
+    ]
+    if name is not None:
+        parts = [o for o in parts if name in (o.Name, o.Label)]
+    if not parts:
+        what = "no solid part" if name is None else f"no solid part {name}"
+        raise SetupError(f"The file has {what}.", "Open it in FreeCAD and check it.")
+    if len(parts) > 1:
+        raise SetupError(
+            f"The file has several parts: {', '.join(o.Label for o in parts)}.",
+            "Choose one with --part.",
+        )
+    return parts[0]
+
+
+def _document(path: Path, shape: Any) -> Any:
+    document = FreeCAD.newDocument(path.stem)
+    part = document.addObject("Part::Feature", path.stem)
+    part.Label = path.stem
+    part.Shape = shape
+    document.recompute()
+    return document
+
+
+def _outline(path: Path) -> dict[str, Any]:
+    try:
+        outline = json.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise SetupError(f"{path.name} is not JSON: {error}.", "Write it again.") from error
+    if not isinstance(outline, dict) or len(outline.get("outer", ())) < 3:
+        raise SetupError(
+            f"{path.name} has no outline.", 'It needs "outer": [[x, y], ...], three points or more.'
+        )
+    return outline
+
+
+def _wire(points: Any) -> Any:
+    corners = [Vector(x, y, 0) for x, y in points]
+    if corners[0].distanceToPoint(corners[-1]) < 1e-9:
+        corners.pop()
+    return Part.makePolygon([*corners, corners[0]])
