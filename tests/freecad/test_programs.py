@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Writes the programs that tests/output runs through LinuxCNC's interpreter.
+
+Beside each program lies what it may do, taken from the part and not from the path.
+"""
+
+import json
+
+import FreeCAD
+import Part
+import pytest
+from sample_parts import (
+    DEPTH,
+    add_job,
+    add_part,
+    area,
+    block,
+    circle,
+    faces_at,
+    motion,
+    polygon,
+    rectangle,
+    spline,
+)
+
+from freecad_spiralpocket import api
+from freecad_spiralpocket.op.compat import parent_job
+
+OUTLINE_DEFLECTION = 5e-4  # mm
+KIDNEY = [(0, 0), (30, -8), (60, 0), (66, 20), (45, 22), (30, 14), (15, 22), (-6, 20)]
+
+
+def two_depths():
+    shape = block(area(rectangle(30, 20, 5)), area(rectangle(1, 1, 0, 70, 0)))
+    return shape.cut(Part.makeCylinder(9, 10, FreeCAD.Vector(50, 10, -3)))
+
+
+#: The part, the heights of the floors to cut, and the operation's values.
+PROGRAMS = {
+    "rectangle": (lambda: block(area(rectangle(40, 28, 5))), [-DEPTH], {}),
+    "levels": (
+        lambda: block(area(rectangle(30, 24, 5))),
+        [-DEPTH],
+        {"StepDown": 2.5, "FinishDepth": 0.4, "Strategy": "Linear Morph"},
+    ),
+    "conventional": (
+        lambda: block(area(rectangle(30, 24, 5))),
+        [-DEPTH],
+        {"CutMode": "Conventional", "StockToLeave": 0.3, "ZStockToLeave": 0.2},
+    ),
+    "circle": (lambda: block(area(circle(14))), [-DEPTH], {"Strategy": "Linear Morph"}),
+    "spline": (lambda: block(area(spline(KIDNEY))), [-DEPTH], {}),
+    "inward arc": (
+        lambda: block(area(rectangle(60, 40)).cut(area(circle(15, 30, 45))).Faces[0]),
+        [-DEPTH],
+        {},
+    ),
+    "island": (lambda: block(area(circle(22), circle(5, 3, 2))), [-DEPTH], {}),
+    "triangle": (
+        lambda: block(area(polygon([(0, 0), (50, 0), (20, 40)]))),
+        [-DEPTH],
+        {"Strategy": "Linear Morph"},
+    ),
+    "two depths": (two_depths, [-DEPTH, -3], {"StepDown": 4}),
+}
+
+
+def true_outline(face):
+    """Return the face's wires as lists of points on the true curves."""
+    wires = [face.OuterWire, *(w for w in face.Wires if not w.isSame(face.OuterWire))]
+    return [[(p.x, p.y) for e in w.OrderedEdges for p in edge_points(e)] for w in wires]
+
+
+def edge_points(edge):
+    points = edge.discretize(Deflection=OUTLINE_DEFLECTION)
+    return points[::-1] if edge.Orientation == "Reversed" else points
+
+
+def write(folder, name, op, floors):
+    """Write the program of the operation's job and what it may do."""
+    folder.mkdir(parents=True, exist_ok=True)
+    limits = {
+        "radius": op.OpToolDiameter.Value / 2 + op.StockToLeave.Value,
+        "cutter": op.OpToolDiameter.Value / 2,
+        "top": op.StartDepth.Value,
+        "clearance": op.ClearanceHeight.Value,
+        "pockets": [
+            {"wires": true_outline(face), "floor": z + op.ZStockToLeave.Value} for face, z in floors
+        ],
+    }
+    api.export(parent_job(op), folder / f"{name}.ngc", "linuxcnc", "--precision=4")
+    (folder / f"{name}.json").write_text(json.dumps(limits), encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_program_is_written(doc, out_dir, name):
+    build, heights, values = PROGRAMS[name]
+    part = add_part(doc, build())
+    job = add_job(doc, part)
+    names = [faces_at(part.Shape, z)[0] for z in heights]
+    op = api.add_spiral_pocket(job, [(part, names)], **values)
+    assert motion(op) and not op.Proxy.errors
+    floors = [(part.Shape.getElement(n), z) for n, z in zip(names, heights, strict=True)]
+    write(out_dir / "programs", name.replace(" ", "-"), op, floors)
