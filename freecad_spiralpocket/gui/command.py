@@ -47,9 +47,7 @@ class CommandSpiralPocket:
     def IsActive(self) -> bool:  # noqa: N802 - the name FreeCAD calls
         """Return whether there is a job to put the operation into, and no panel open."""
         document = FreeCAD.ActiveDocument
-        return (
-            document is not None and not FreeCADGui.Control.activeDialog() and has_job(document)
-        )
+        return document is not None and not FreeCADGui.Control.activeDialog() and has_job(document)
 
     def Activated(self) -> None:  # noqa: N802 - the name FreeCAD calls
         """Ask for the job where there are several, make the operation, open the panel."""

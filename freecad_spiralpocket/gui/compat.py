@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide import QtGui
 from PathScripts import PathUtils
+from PySide import QtGui
 
 from ..op.compat import IS_LEGACY, PathOp
 

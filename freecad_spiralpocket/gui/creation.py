@@ -54,7 +54,7 @@ def create(job: Any) -> Any:
     document.openTransaction(translate("SpiralPocket", "Create Spiral Pocket"))
     try:
         obj = operation.Create(operation.NAME, parentJob=job)
-        ViewProvider(obj.ViewObject)
+        ViewProvider(obj.ViewObject, is_new=True)
         obj.ViewObject.Visibility = True
     except NO_TOOL_CONTROLLER_ERRORS:
         abort(document)

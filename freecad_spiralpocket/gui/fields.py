@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 import FreeCAD
+from PySide import QtCore
 
 from .compat import PathGuiUtil, check_box_signal, show_value
 
@@ -20,8 +21,10 @@ translate = FreeCAD.Qt.translate
 class Field(Protocol):
     """What the panel asks of a field."""
 
+    name: str
+
     def show(self) -> None:
-        """Show the property's value in the widget."""
+        """Show the property's value in the widget, without any signal."""
 
     def write(self) -> None:
         """Write the widget's value to the property."""
@@ -37,6 +40,12 @@ class _Bound:
         self.widget, self.obj, self.name = widget, obj, name
         widget.setToolTip(translate("App::Property", obj.getDocumentationOfProperty(name)))
 
+    def show(self) -> None:
+        """Show the property's value, without any signal."""
+        blocker = QtCore.QSignalBlocker(self.widget)
+        self._show()
+        blocker.unblock()
+
     def _set(self, value: Any) -> None:
         if getattr(self.obj, self.name) != value:
             setattr(self.obj, self.name, value)
@@ -50,8 +59,7 @@ class Choice(_Bound):
         for value in obj.getEnumerationsOfProperty(name):
             widget.addItem(translate("SpiralPocket", value), value)
 
-    def show(self) -> None:
-        """Select the property's value."""
+    def _show(self) -> None:
         self.widget.setCurrentIndex(self.widget.findData(getattr(self.obj, self.name)))
 
     def write(self) -> None:
@@ -66,8 +74,7 @@ class Choice(_Bound):
 class Percent(_Bound):
     """A percentage in a spin box."""
 
-    def show(self) -> None:
-        """Show the number."""
+    def _show(self) -> None:
         self.widget.setValue(getattr(self.obj, self.name))
 
     def write(self) -> None:
@@ -82,8 +89,7 @@ class Percent(_Bound):
 class Check(_Bound):
     """Yes or no in a check box."""
 
-    def show(self) -> None:
-        """Show the state."""
+    def _show(self) -> None:
         self.widget.setChecked(getattr(self.obj, self.name))
 
     def write(self) -> None:
@@ -102,8 +108,7 @@ class Quantity(_Bound):
         super().__init__(widget, obj, name)
         self._binding = PathGuiUtil.QuantitySpinBox(widget, obj, name)
 
-    def show(self) -> None:
-        """Show the value in the user's unit."""
+    def _show(self) -> None:
         show_value(self._binding)
 
     def write(self) -> None:

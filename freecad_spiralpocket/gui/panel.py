@@ -7,9 +7,11 @@ and OK. Order and wording follow FreeCAD 1.1's pages of Adaptive and Pocket.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import FreeCADGui
+from PySide import QtCore, QtGui
 
 from .compat import PathOpGui, has_tool_controller_editor
 from .fields import Check, Choice, Field, Percent, Quantity
@@ -36,6 +38,9 @@ FIELDS = (
 class OperationPage(PathOpGui.TaskPanelPage):
     """The operation's own page; FreeCAD calls its methods."""
 
+    fields: Sequence[Field] = ()
+    is_writing = False
+
     def getForm(self) -> Any:  # noqa: N802 - the name FreeCAD calls
         """Return the page's widgets."""
         form = FreeCADGui.PySideUic.loadUi(str(FORM))
@@ -45,11 +50,9 @@ class OperationPage(PathOpGui.TaskPanelPage):
 
     def initPage(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Tie the widgets to the properties."""
-        self.fields: list[Field] = [
-            kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS
-        ]
+        self.fields = [kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS]
 
-    def getSignalsForUpdate(self, obj: Any) -> list[Any]:  # noqa: ARG002, N802
+    def getSignalsForUpdate(self, obj: Any) -> list[Any]:  # noqa: N802
         """Return the signals on which the fields are written."""
         own = [self.form.toolController, self.form.coolantController]
         signals = [box.currentIndexChanged for box in own]
@@ -57,10 +60,14 @@ class OperationPage(PathOpGui.TaskPanelPage):
 
     def getFields(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Write all fields to the properties."""
-        self.updateToolController(obj, self.form.toolController)
-        self.updateCoolant(obj, self.form.coolantController)
-        for field in self.fields:
-            field.write()
+        self.is_writing = True
+        try:
+            self.updateToolController(obj, self.form.toolController)
+            self.updateCoolant(obj, self.form.coolantController)
+            for field in self.fields:
+                field.write()
+        finally:
+            self.is_writing = False
         self.form.result.setEnabled(False)  # out of date until the next recompute
 
     def setFields(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
@@ -71,7 +78,22 @@ class OperationPage(PathOpGui.TaskPanelPage):
             field.show()
         self.show_result()
 
+    def updateData(self, obj: Any, prop: str) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Show a property that was changed elsewhere, not while it is being typed here."""
+        if not self.is_writing:
+            for field in self.fields:
+                if field.name == prop:
+                    field.show()
+
     def show_result(self) -> None:
         """Show what the last recompute brought."""
         self.form.result.setText(result_text(self.obj))
         self.form.result.setEnabled(True)
+
+    def reveal_result(self) -> None:
+        """Scroll to the result, which a low window hides."""
+        parent = self.form.parentWidget()
+        while parent is not None and not isinstance(parent, QtGui.QScrollArea):
+            parent = parent.parentWidget()
+        if parent is not None:
+            QtCore.QTimer.singleShot(0, lambda: parent.ensureWidgetVisible(self.form.resultFrame))

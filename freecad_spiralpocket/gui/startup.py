@@ -12,8 +12,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import FreeCAD
 import FreeCADGui
 
+from .adoption import Adopter
 from .command import COMMAND, CommandSpiralPocket
 
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
@@ -44,6 +46,7 @@ def start() -> None:
     FreeCADGui.addLanguagePath(str(RESOURCES / "translations"))
     FreeCADGui.updateLocale()
     FreeCADGui.addCommand(COMMAND, CommandSpiralPocket())
+    FreeCAD.addDocumentObserver(Adopter())
     if hasattr(FreeCADGui, "addWorkbenchManipulator"):
         FreeCADGui.addWorkbenchManipulator(Manipulator())
     else:

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel around the pages: OK, Apply and Cancel.
+"""The panel around the pages: OK, Apply, Cancel, and Undo while it is open.
 
 FreeCAD's own panel commits before it recomputes, so that an Undo brings the
 values back and not the path, and closes whatever comes of it. Here OK
 recomputes within the transaction and, when there is no path, says why and stays
 open; OK once more accepts that. Cancel aborts the transaction, which takes a new
-operation away altogether.
+operation away altogether. An Undo or Redo, or deleting the operation, closes the
+panel without touching the document; FreeCAD's own panels abort a transaction in
+the middle of the Undo then, which crashes it.
 """
 
 from __future__ import annotations
@@ -13,41 +15,52 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-from PySide import QtGui
+import FreeCADGui
+from PySide import QtCore, QtGui
 
-from ..engine.errors import CancelledError
+from ..engine.errors import CancelledError, SpiralPocketError
+from ..op.compat import parent_job
 from . import messages
-from .compat import PathOpGui
+from .compat import PathOpGui, PathSelection
+
+translate = FreeCAD.Qt.translate
 
 
 class TaskPanel(PathOpGui.TaskPanel):
     """The operation's task panel; FreeCAD calls its methods."""
 
     def __init__(self, obj: Any, is_new: bool, page: Any, selection_factory: Any) -> None:
-        self.was_touched = "Touched" in obj.State
+        self.document, self.name = obj.Document, obj.Name
+        self.job_name = parent_job(obj).Name
+        self.view_provider = obj.ViewObject.Proxy
         self.operation_page = page
+        self.touched = _touched(obj.Document)
+        self.is_open = False
         super().__init__(obj, is_new, page, selection_factory)
 
-    def accept(self, resetEdit: bool = True) -> Any:  # noqa: FBT001, FBT002, N803
+    def open(self) -> None:
+        """Watch the selection and the document."""
+        super().open()
+        self.is_open = True
+        FreeCAD.addDocumentObserver(self)
+
+    def accept(self, resetEdit: bool = True) -> Any:  # noqa: N803
         """Take the values over and close, if there is a path or the user knows there is none."""
-        if self.isDirty() and not self.compute():
+        if (self.isDirty() or "Touched" in self.obj.State) and not self.compute():
             return False
         closed = super().accept(resetEdit)
         _close_transaction(abort=False)
         return closed
 
-    def reject(self, resetEdit: bool = True) -> bool:  # noqa: FBT001, FBT002, N803
+    def reject(self, resetEdit: bool = True) -> bool:  # noqa: N803
         """Undo everything since the panel was opened, a new operation included, and close."""
-        obj, document, name = self.obj, self.obj.Document, self.obj.Name
         self.preCleanup()
-        document.abortTransaction()
+        self.document.abortTransaction()
         _close_transaction(abort=True)
-        if document.getObject(name) is None:
-            pass
-        elif self.deleteOnReject:  # it was made in a transaction of its own
-            self._remove(document, obj)
-        elif not self.was_touched:
+        for obj in _touched(self.document) - self.touched:
             obj.purgeTouched()  # values and path are as they were: nothing to compute
+        if self.deleteOnReject and self.document.getObject(self.name) is not None:
+            self._remove()  # it was made in a transaction of its own
         self.cleanup(resetEdit)
         return True
 
@@ -55,6 +68,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         """Compute when Apply was pressed; OK and Cancel have methods of their own."""
         if button == QtGui.QDialogButtonBox.Apply:
             self.compute()
+            self.operation_page.reveal_result()
 
     def compute(self) -> bool:
         """Take the values over and make the path; return whether there is one.
@@ -62,20 +76,63 @@ class TaskPanel(PathOpGui.TaskPanel):
         Shows the errors, except that the user pressed Stop.
         """
         self.panelGetFields()
-        self.obj.Document.recompute()
+        self.document.recompute()
         self.setClean()
         self.operation_page.show_result()
-        errors = self.obj.Proxy.errors
+        errors = self.obj.Proxy.errors or self._unexpected_errors()
         shown = [e for e in errors if not isinstance(e, CancelledError)]
         if shown:
             messages.show(*shown)
         return not errors
 
-    def _remove(self, document: Any, obj: Any) -> None:
-        document.openTransaction("Remove Spiral Pocket")
-        obj.ViewObject.Proxy.onDelete(obj.ViewObject)
-        document.removeObject(obj.Name)
-        document.commitTransaction()
+    def panelCleanup(self) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Stop watching the document; part of every way to close."""
+        self.is_open = False
+        FreeCAD.removeDocumentObserver(self)
+        super().panelCleanup()
+
+    def abandon(self) -> None:
+        """Close without touching the operation, which may be gone."""
+        if not self.is_open:
+            return
+        PathSelection.clear()
+        FreeCADGui.Selection.removeObserver(self)
+        for page in self.featurePages:
+            page.onDirtyChanged(None)
+        self.panelCleanup()
+        FreeCADGui.Control.closeDialog()
+        self.view_provider.clearTaskPanel()
+        FreeCADGui.getDocument(self.document.Name).resetEdit()
+        _close_transaction(abort=False)
+
+    def slotUndoDocument(self, document: Any) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Close, once the Undo is through."""
+        if document == self.document:
+            QtCore.QTimer.singleShot(0, self.abandon)
+
+    slotRedoDocument = slotUndoDocument  # noqa: N815 - the name FreeCAD calls
+
+    def _unexpected_errors(self) -> list[SpiralPocketError]:
+        """Return what to say when the recompute failed in a way that nobody foresaw."""
+        if self.obj.isValid():
+            return []
+        return [
+            SpiralPocketError(
+                translate("SpiralPocket", "An error in the add-on: the path was not computed."),
+                translate("SpiralPocket", "Please report it with the text in the Report view."),
+            )
+        ]
+
+    def _remove(self) -> None:
+        self.document.openTransaction(translate("SpiralPocket", "Remove Spiral Pocket"))
+        self.view_provider.onDelete(self.obj.ViewObject)
+        self.document.removeObject(self.name)
+        self.document.commitTransaction()
+
+
+def _touched(document: Any) -> set[Any]:
+    """Return the objects that the next recompute would compute."""
+    return {obj for obj in document.Objects if "Touched" in obj.State}
 
 
 def _close_transaction(*, abort: bool) -> None:

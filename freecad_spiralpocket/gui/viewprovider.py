@@ -12,22 +12,30 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from . import progress
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore
+
+from ..engine.errors import SetupError
+from ..op.compat import parent_job
+from . import messages, progress
 from .command import ICON
 from .compat import INACTIVE_ICON, PathOpGui, PathSelection
 from .panel import OperationPage
 from .startup import RESOURCES
 from .taskpanel import TaskPanel
 
+translate = FreeCAD.Qt.translate
+
 
 class ViewProvider(PathOpGui.ViewProvider):
     """Proxy of the operation's view object."""
 
-    OpName = "Spiral Pocket"
     OpIcon = str(RESOURCES / "icons" / f"{ICON}.svg")
 
-    def __init__(self, vobj: Any) -> None:
-        self.deleteOnReject = True  # until the panel was open once
+    def __init__(self, vobj: Any, *, is_new: bool) -> None:
+        self.deleteOnReject = is_new  # whether Cancel removes it, until the panel was open once
+        self.attach(vobj)
         vobj.Proxy = self
 
     def attach(self, vobj: Any) -> None:
@@ -48,13 +56,53 @@ class ViewProvider(PathOpGui.ViewProvider):
         if mode != 0:
             return False
         obj = (vobj or self.vobj).Object
+        if parent_job(obj) is None:
+            messages.show(
+                SetupError(
+                    translate("SpiralPocket", "{} is not in a job.").format(obj.Label),
+                    translate("SpiralPocket", "Drag it into the job's operations."),
+                )
+            )
+            return False
         page = OperationPage(obj, 0)
-        page.setTitle(self.OpName)
+        page.setTitle(translate("SpiralPocket", "Spiral Pocket"))
         page.setIcon(self.OpIcon)
         is_new = self.deleteObjectsOnReject()
         self.deleteOnReject = False
         self.setupTaskPanel(TaskPanel(obj, is_new, page, self.getSelectionFactory()))
         return True
+
+    def unsetEdit(self, vobj: Any, mode: int) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Close the panel when FreeCAD ends the editing: as Cancel, if the operation stays."""
+        if self.panel is None:
+            return
+        if self.Object.Removing or self.Object.Document.Transacting:
+            QtCore.QTimer.singleShot(0, self.panel.abandon)
+        else:
+            self.panel.reject(False)
+
+    def setupTaskPanel(self, panel: Any) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Show the panel; the job shows the model in its place, if it can."""
+        self.panel = panel
+        FreeCADGui.Control.closeDialog()
+        FreeCADGui.Control.showDialog(panel)
+        panel.setupUi()
+        self._tell_job("setupEditVisibility", panel)
+
+    def clearTaskPanel(self) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Forget the panel, which closes."""
+        panel, self.panel = self.panel, None
+        self._tell_job("resetEditVisibility", panel)
+
+    def _tell_job(self, method: str, panel: TaskPanel) -> None:
+        """Call a method of the job's view provider, if there is one.
+
+        There is none in a document that was made without a window, and an Undo may have taken
+        the job away together with the operation.
+        """
+        job = panel.document.getObject(panel.job_name)
+        if job is not None and job.ViewObject.Proxy:
+            getattr(job.ViewObject.Proxy, method)(job)
 
     # --- nothing of the proxy is saved
 

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fixtures of the tests that run inside FreeCAD's window."""
+
+import sys
+import traceback
+
+import FreeCAD
+import FreeCADGui
+import Part
+import pytest
+from FreeCAD import Vector
+from window import IS_LEGACY, WORKBENCH, main_window, pump, report_view
+
+if IS_LEGACY:
+    from PathScripts import PathJobGui
+else:
+    import Path.Main.Gui.Job as PathJobGui
+
+DEPTH = 6.0
+
+
+@pytest.fixture(scope="session", autouse=True)
+def workbench():
+    """Bring the window to a known size and CAM to the front."""
+    main_window().resize(1280, 1000)
+    main_window().move(0, 0)
+    FreeCADGui.activateWorkbench(WORKBENCH)
+    pump(0.5)
+
+
+@pytest.fixture(autouse=True)
+def no_exceptions():
+    """Fail a test in which something raised where only the Report view or stderr shows it."""
+    raised = []
+    hook, sys.excepthook = sys.excepthook, lambda *args: raised.append(args)
+    before = len(report_view())
+    yield
+    pump()
+    sys.excepthook = hook
+    assert not raised, "".join(traceback.format_exception(*raised[0]))
+    news = report_view()[before:]
+    assert "Traceback" not in news and "<class '" not in news, news
+
+
+@pytest.fixture
+def doc():
+    """Return an empty document that is closed after the test."""
+    document = FreeCAD.newDocument("Test")
+    document.UndoMode = 1
+    name = document.Name
+    yield document
+    FreeCADGui.Control.closeDialog()
+    pump()
+    if name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(name)
+    pump()
+
+
+def add_job(document, solid, diameter, feed=1500.0):
+    """Return a job for `solid` with one end mill, made as its command makes it."""
+    part = document.addObject("Part::Feature", "Part")
+    part.Shape = solid
+    document.recompute()
+    job = PathJobGui.Create([part], None, False)
+    tool_controller = job.Tools.Group[0]
+    tool_controller.Tool.Diameter = diameter
+    tool_controller.HorizFeed = feed / 60
+    tool_controller.VertFeed = feed / 240
+    tool_controller.HorizRapid = tool_controller.VertRapid = 5000 / 60
+    document.recompute()
+    document.recompute()  # the tool's own shape follows its diameter one step behind
+    FreeCAD.closeActiveTransaction()
+    view = FreeCADGui.getDocument(document.Name).ActiveView
+    view.viewIsometric()
+    view.fitAll()
+    pump(0.3)
+    return job
+
+
+def floors(part, z):
+    """Return the names of the faces at height `z` that look up."""
+    return [
+        f"Face{number}"
+        for number, face in enumerate(part.Shape.Faces, start=1)
+        if face.BoundBox.ZLength < 1e-6
+        and abs(face.BoundBox.ZMin - z) < 1e-6
+        and face.normalAt(0, 0).z > 0.9
+    ]
+
+
+@pytest.fixture
+def job(doc):
+    """Return a job for a plate with one rounded pocket, 36 x 24 mm, and a 6 mm end mill."""
+    pocket = Part.makeBox(36, 24, 20, Vector(12, 8, -DEPTH))
+    upright = [e for e in pocket.Edges if abs(e.tangentAt(e.FirstParameter).z) > 0.9]
+    plate = Part.makeBox(60, 40, 15, Vector(0, 0, -15)).cut(pocket.makeFillet(6, upright))
+    return add_job(doc, plate, diameter=6.0)
+
+
+@pytest.fixture
+def part(job):
+    """Return the plate."""
+    return job.Document.getObject("Part")
+
+
+@pytest.fixture
+def floor(part):
+    """Return the floor of the plate's pocket as (object, face name)."""
+    return part, floors(part, -DEPTH)[0]

@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a selected face to a path and back, with the user's own buttons."""
+
+import zipfile
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from snapshot import differences, snapshot
+from window import (
+    APPLY,
+    CANCEL,
+    OK,
+    edit,
+    is_panel_open,
+    panel_button,
+    pixels_that_differ,
+    press,
+    press_toolbar_button,
+    pump,
+    screenshot,
+    select,
+    wait_for,
+    widget,
+)
+
+
+def only_operation(job):
+    """Return the job's one operation."""
+    (operation,) = job.Operations.Group
+    return operation
+
+
+def cut_moves(operation):
+    """Return the number of feed moves in the operation's path."""
+    return sum(c.Name in ("G1", "G2", "G3") for c in operation.Path.Commands)
+
+
+@pytest.fixture
+def operation(job, floor):
+    """Return an operation made with the panel, which is closed again."""
+    select(floor)
+    press_toolbar_button()
+    press(OK)
+    wait_for(lambda: not is_panel_open())
+    return only_operation(job)
+
+
+def test_new_operation_takes_the_selected_face(job, floor):
+    select(floor)
+    press_toolbar_button()
+    operation = only_operation(job)
+    assert is_panel_open()
+    assert [(model.Name, faces) for model, faces in operation.Base] == [
+        (job.Model.Group[0].Name, (floor[1],))
+    ]
+    press(CANCEL)
+
+
+def test_ok_makes_a_path_with_the_value_from_the_panel(job, floor):
+    select(floor)
+    press_toolbar_button()
+    widget("stepOverPercent").setValue(25)
+    press(OK)
+    operation = only_operation(job)
+    assert not is_panel_open()
+    assert operation.StepOver == 25
+    assert cut_moves(operation) > 100
+    assert operation.isValid() and "Touched" not in operation.State
+
+
+def test_path_is_visible(operation):
+    shown = screenshot()
+    operation.ViewObject.Visibility = False
+    hidden = screenshot()
+    assert pixels_that_differ(shown, hidden) > 1000
+
+
+def test_one_undo_removes_a_new_operation_and_redo_brings_it_back(doc, job, floor):
+    before, steps = snapshot(doc), doc.UndoCount
+    select(floor)
+    press_toolbar_button()
+    widget("stockToLeave").setProperty("rawValue", 0.5)
+    press(OK)
+    after = snapshot(doc)
+    assert doc.UndoCount == steps + 1
+    FreeCADGui.runCommand("Std_Undo", 0)
+    pump()
+    assert not differences(before, snapshot(doc))
+    FreeCADGui.runCommand("Std_Redo", 0)
+    pump()
+    assert snapshot(doc).keys() == after.keys()
+    assert only_operation(job).StockToLeave.Value == 0.5
+    assert cut_moves(only_operation(job)) > 100
+
+
+@pytest.mark.parametrize("computed", [False, True], ids=["at once", "after Apply"])
+def test_cancel_removes_a_new_operation(doc, job, floor, computed):
+    before, steps = snapshot(doc), doc.UndoCount
+    select(floor)
+    press_toolbar_button()
+    widget("stepOverPercent").setValue(20)
+    if computed:
+        press(APPLY)
+        assert cut_moves(only_operation(job)) > 100
+    press(CANCEL)
+    assert not is_panel_open()
+    assert not differences(before, snapshot(doc))
+    assert doc.UndoCount == steps
+    assert not doc.HasPendingTransaction and FreeCAD.getActiveTransaction() is None
+
+
+def test_new_operation_is_one_undo_step_also_after_a_cancelled_one(doc, job, floor):
+    steps = doc.UndoCount
+    for button in (CANCEL, OK, CANCEL):
+        select(floor)
+        press_toolbar_button()
+        press(button)
+    assert doc.UndoCount == steps + 1
+    doc.undo()
+    assert not job.Operations.Group
+
+
+def test_new_operation_is_one_undo_step_when_a_transaction_was_left_open(doc, job, floor):
+    steps = doc.UndoCount
+    FreeCAD.setActiveTransaction("Left open")
+    select(floor)
+    press_toolbar_button()
+    wait_for(is_panel_open)
+    press(OK)
+    assert doc.UndoCount == steps + 1
+
+
+def test_undo_with_the_panel_open_closes_it(doc, job, floor):
+    before = snapshot(doc)
+    select(floor)
+    press_toolbar_button()
+    FreeCADGui.runCommand("Std_Undo", 0)
+    wait_for(lambda: not is_panel_open())
+    assert not differences(before, snapshot(doc))
+
+
+def test_deleting_the_operation_with_the_panel_open_closes_it(doc, job, operation):
+    edit(operation)
+    doc.removeObject(operation.Name)
+    wait_for(lambda: not is_panel_open())
+    assert not job.Operations.Group
+
+
+def test_cancelled_edit_restores_values_and_path_without_recompute(doc, operation):
+    before = snapshot(doc)
+    edit(operation)
+    assert widget("stepOverPercent").value() == operation.StepOver
+    widget("stepOverPercent").setValue(15)
+    widget("useOutline").setChecked(True)
+    press(APPLY)
+    assert operation.StepOver == 15
+    (plan,) = operation.Proxy.plans
+    press(CANCEL)
+    assert not differences(before, snapshot(doc))
+    assert operation.Proxy.plans[0] is plan
+
+
+def test_one_undo_restores_values_and_path_of_an_edit(doc, operation):
+    before, steps = snapshot(doc)[operation.Name], doc.UndoCount
+    edit(operation)
+    widget("stepOverPercent").setValue(15)
+    press(OK)
+    assert doc.UndoCount == steps + 1
+    assert operation.Path.toGCode() != before["Path"]
+    doc.undo()
+    assert operation.StepOver != 15
+    assert operation.Path.toGCode() == before["Path"]
+
+
+def test_panel_closes_without_work_when_nothing_was_changed(operation):
+    (plan,) = operation.Proxy.plans
+    edit(operation)
+    press(OK)
+    assert not is_panel_open()
+    assert operation.Proxy.plans[0] is plan
+    assert FreeCAD.getActiveTransaction() is None
+
+
+def test_apply_is_enabled_by_a_change_only(operation):
+    edit(operation)
+    assert not panel_button(APPLY).isEnabled()
+    widget("stepOverPercent").setValue(22)
+    assert panel_button(APPLY).isEnabled()
+    press(APPLY)
+    assert not panel_button(APPLY).isEnabled()
+    press(CANCEL)
+
+
+def test_operation_can_be_edited_after_reopening(operation, tmp_path):
+    operation.Label = "Reopened"
+    file = tmp_path / "job.FCStd"
+    operation.Document.saveAs(str(file))
+    FreeCAD.closeDocument(operation.Document.Name)
+    document = FreeCAD.openDocument(str(file))
+    pump(0.3)
+    try:
+        (reopened,) = document.getObjectsByLabel("Reopened")
+        edit(reopened)
+        widget("stepOverPercent").setValue(12)
+        press(OK)
+        assert reopened.StepOver == 12
+        assert cut_moves(reopened) > 100
+        assert reopened.ViewObject.Proxy.getIcon().endswith("SpiralPocket.svg")
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def test_document_does_not_name_the_addons_folder(operation, tmp_path):
+    file = tmp_path / "job.FCStd"
+    operation.Document.saveAs(str(file))
+    with zipfile.ZipFile(file) as archive:
+        texts = [archive.read(name) for name in archive.namelist() if name.endswith(".xml")]
+    assert not any(b"SpiralPocket.svg" in text for text in texts)
+
+
+def test_operation_without_view_provider_gets_one(operation):
+    operation.ViewObject.Proxy = None
+    operation.touch()
+    operation.Document.recompute()
+    edit(operation)
+    assert widget("stepOverPercent").value() == operation.StepOver
+    press(CANCEL)
+    assert operation.Document.getObject("SpiralPocket") is not None

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Each field of the page shows its property and writes it."""
+
+import FreeCAD
+import pytest
+from PySide import QtGui
+from window import APPLY, CANCEL, find, press, press_toolbar_button, pump, select, widget
+
+from freecad_spiralpocket.gui.fields import Check, Choice, Percent, Quantity
+from freecad_spiralpocket.gui.panel import FIELDS
+from freecad_spiralpocket.op.properties import option_names
+
+#: What the user enters, and what the property is then; for fields with one value more than now.
+ENTRIES = {
+    "StepOver": (33, 33),
+    "CutMode": ("Conventional", "Conventional"),
+    "StockToLeave": (0.25, 0.25),
+    "ZStockToLeave": (0.5, 0.5),
+    "HelixAngle": (3.0, 3.0),
+    "HelixDiameterLimit": (7.0, 7.0),
+    "Tolerance": (0.02, 0.02),
+    "FinishingProfile": (False, False),
+    "UseOutline": (True, True),
+}
+
+INCHES = 3  # FreeCAD's number for inches with decimals
+
+
+@pytest.fixture
+def operation(job, floor):
+    """Return a new operation whose panel is open; closed with Cancel."""
+    select(floor)
+    press_toolbar_button()
+    yield job.Operations.Group[0]
+    press(CANCEL)
+
+
+def enter(box, kind, value):
+    """Enter a value as the widget itself would on a user's action."""
+    if kind is Choice:
+        box.setCurrentIndex(box.findData(value))
+    elif kind is Check:
+        box.setChecked(value)
+    elif kind is Percent:
+        box.setValue(value)
+    else:
+        box.setProperty("rawValue", value)
+    pump()
+
+
+def shown(box, kind):
+    """Return the value that the widget shows."""
+    read = {
+        Choice: lambda: box.currentData(),
+        Check: lambda: box.isChecked(),
+        Percent: lambda: box.value(),
+        Quantity: lambda: box.property("rawValue"),
+    }
+    return read[kind]()
+
+
+def value_of(obj, name):
+    value = getattr(obj, name)
+    return getattr(value, "Value", value)
+
+
+def test_every_option_has_a_field():
+    assert sorted(name for _, name, _ in FIELDS) == sorted(option_names())
+
+
+@pytest.mark.parametrize(("box", "name", "kind"), FIELDS, ids=[name for _, name, _ in FIELDS])
+def test_field_shows_and_writes_its_property(operation, box, name, kind):
+    box, before = widget(box), value_of(operation, name)
+    assert shown(box, kind) == pytest.approx(before)
+    assert box.toolTip()
+    for entry, expected in (ENTRIES.get(name, (before, before)), (before, before)):
+        enter(box, kind, entry)
+        assert value_of(operation, name) == pytest.approx(expected)
+
+
+def test_length_is_shown_in_the_users_unit(job, floor):
+    FreeCAD.Units.setSchema(INCHES)
+    if hasattr(job.Document, "UnitSystem"):  # since 1.0 documents have a unit system of their own
+        systems = job.Document.getEnumerationsOfProperty("UnitSystem")
+        job.Document.UnitSystem = systems[INCHES]
+    try:
+        select(floor)
+        press_toolbar_button()
+        box = widget("helixDiameterLimit")
+        enter(box, Quantity, 25.4)
+        assert box.property("text").replace('"', "in").split() == ["1.00", "in"]
+        assert job.Operations.Group[0].HelixDiameterLimit.Value == pytest.approx(25.4)
+        press(CANCEL)
+    finally:
+        FreeCAD.Units.setSchema(0)
+
+
+def test_field_shows_what_was_changed_elsewhere(operation):
+    operation.StepOver = 31
+    operation.StockToLeave = 0.4
+    assert widget("stepOverPercent").value() == 31
+    assert widget("stockToLeave").property("rawValue") == pytest.approx(0.4)
+
+
+def test_expression_survives_apply(operation):
+    operation.setExpression("StockToLeave", "0.1 mm * 3")
+    operation.Document.recompute()
+    assert widget("stockToLeave").property("rawValue") == pytest.approx(0.3)
+    press(APPLY)
+    assert operation.StockToLeave.Value == pytest.approx(0.3)
+    assert ("StockToLeave", "0.1 mm * 3") in operation.ExpressionEngine
+
+
+def test_freecads_own_pages_keep_their_titles(operation):
+    box = next(b for b in find(QtGui.QToolBox))
+    titles = [box.itemText(i) for i in range(box.count())]
+    assert titles == ["Base Geometry", "Depths", "Heights", "Operation"]
+    assert box.windowTitle() == "Spiral Pocket"
+
+
+def test_tool_controller_and_coolant_are_written(operation):
+    widget("coolantController").setCurrentIndex(widget("coolantController").findText("Flood"))
+    pump()
+    assert operation.CoolantMode == "Flood"
+    assert widget("toolController").currentText() == operation.ToolController.Label
+
+
+def test_result_is_shown_after_apply_and_greyed_when_out_of_date(operation):
+    assert "Apply" in widget("result").text()
+    press(APPLY)
+    text = widget("result").text()
+    assert all(word in text for word in ("Time", "engagement", "Uncut", "gouge"))
+    assert widget("result").isEnabled()
+    widget("stepOverPercent").setValue(35)
+    assert not widget("result").isEnabled()
+
+
+def test_tool_can_be_changed_in_the_panel(operation):
+    editor = widget("editToolController")
+    if not editor.isVisible():
+        pytest.skip("this FreeCAD has no tool controller editor in the panel")
+    editor.setChecked(True)
+    pump(0.3)
+    assert find(QtGui.QWidget, "tcOperationCountLabel")

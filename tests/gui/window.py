@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The user's hands and eyes: presses buttons, reads the window, waits for it.
+
+The tests run inside FreeCAD's event loop; while they run nothing else does, so
+whatever the window has to do needs a `pump`. A dialog that blocks is answered
+by an `Answer`, which looks for it while the test waits in it.
+"""
+
+import time
+from contextlib import contextmanager
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from PySide import QtCore, QtGui
+
+IS_LEGACY = "CAMWorkbench" not in FreeCADGui.listWorkbenches()
+WORKBENCH = "PathWorkbench" if IS_LEGACY else "CAMWorkbench"
+VERSION = ".".join(FreeCAD.Version()[:2])
+COMMAND = "SpiralPocket_Create"
+OK, APPLY, CANCEL = (
+    QtGui.QDialogButtonBox.Ok,
+    QtGui.QDialogButtonBox.Apply,
+    QtGui.QDialogButtonBox.Cancel,
+)
+
+
+def pump(seconds=0.05):
+    """Let the window work for `seconds`."""
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(int(1000 * seconds), loop.quit)
+    (getattr(loop, "exec", None) or loop.exec_)()
+
+
+def wait_for(condition, seconds=20):
+    """Let the window work until `condition()` holds."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, f"waited {seconds} s in vain"
+        pump()
+
+
+def main_window():
+    """Return FreeCAD's main window."""
+    return FreeCADGui.getMainWindow()
+
+
+def find(kind, name=""):
+    """Return the visible widgets of the main window of `kind` and with object name `name`."""
+    return [w for w in main_window().findChildren(kind, name) if w.isVisible()]
+
+
+def action(widget):
+    """Return the command's action in a toolbar or menu, or None."""
+    return next((a for a in widget.actions() if a.objectName() == COMMAND), None)
+
+
+def toolbar(name="New Operations"):
+    """Return the toolbar of that name, of the workbench that is active."""
+    return next(t for t in main_window().findChildren(QtGui.QToolBar) if t.objectName() == name)
+
+
+def menus():
+    """Return the menus of the menu bar that can be opened, with those inside them."""
+    bar = main_window().menuBar()
+    tops = [m for m in bar.findChildren(QtGui.QMenu) if m.menuAction() in bar.actions()]
+    shown = [m for m in tops if m.menuAction().isVisible()]
+    return shown + [inner for m in shown for inner in m.findChildren(QtGui.QMenu)]
+
+
+def select(*pairs):
+    """Select the faces given as pairs of object and name."""
+    FreeCADGui.Selection.clearSelection()
+    for obj, name in pairs:
+        FreeCADGui.Selection.addSelection(obj, name)
+
+
+def press_toolbar_button():
+    """Press the command's toolbar button and wait for what comes of it."""
+    pump()  # the selection enables the button
+    button = toolbar().widgetForAction(action(toolbar()))
+    assert button.isEnabled()
+    button.click()
+    pump(0.3)
+
+
+def is_panel_open():
+    """Return whether a task panel is open."""
+    return bool(FreeCADGui.Control.activeDialog())
+
+
+def widget(name):
+    """Return the widget of that name in the open panel's own page."""
+    return find(QtGui.QWidget, "SpiralPocketPanel")[0].findChild(QtGui.QWidget, name)
+
+
+def panel_button(which):
+    """Return the panel's button OK, APPLY or CANCEL."""
+    buttons = [box.button(which) for box in find(QtGui.QDialogButtonBox)]
+    return next(b for b in buttons if b is not None and b.isVisible())
+
+
+def press(which):
+    """Press the panel's button OK, APPLY or CANCEL and wait for what comes of it."""
+    panel_button(which).click()
+    pump(0.3)
+
+
+def edit(obj):
+    """Open the panel of an operation as a double click in the tree does."""
+    FreeCADGui.getDocument(obj.Document.Name).setEdit(obj.ViewObject, 0)
+    pump(0.3)
+
+
+def dialog(name):
+    """Return the visible dialog with that object name, or None."""
+    tops = QtGui.QApplication.topLevelWidgets()
+    return next((w for w in tops if w.objectName() == name and w.isVisible()), None)
+
+
+class Answer:
+    """Presses OK on message boxes of ours and keeps their texts."""
+
+    def __init__(self):
+        self.texts = []
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._look)
+
+    def _look(self):
+        box = dialog("SpiralPocketMessage")
+        if box is not None:
+            self.texts.append(f"{box.text()} {box.informativeText()}".strip())
+            box.button(QtGui.QMessageBox.Ok).click()
+
+
+@contextmanager
+def answered():
+    """Answer message boxes in the block; yields the `Answer`."""
+    answer = Answer()
+    answer._timer.start(50)
+    try:
+        yield answer
+    finally:
+        answer._timer.stop()
+
+
+def report_view():
+    """Return the text of the Report view."""
+    docks = main_window().findChildren(QtGui.QDockWidget, "Report view")
+    return docks[0].findChild(QtGui.QTextEdit).toPlainText()
+
+
+def screenshot():
+    """Return what the screen shows, as an image."""
+    main_window().repaint()
+    pump(0.3)
+    window = main_window()
+    picture = window.windowHandle().screen().grabWindow(0)
+    return picture.copy(window.frameGeometry()).toImage()
+
+
+def pixels_that_differ(image, other):
+    """Return how many pixels of two images of one size differ."""
+    one, two = (
+        np.frombuffer(i.convertToFormat(QtGui.QImage.Format_RGB32).constBits(), np.uint32)
+        for i in (image, other)
+    )
+    return int(np.count_nonzero(one != two))
