@@ -60,14 +60,16 @@ def load(path: Path, depth: float) -> tuple[Any, dict[str, float]]:
         )
     try:
         shape = Part.read(str(path))
-    except (Part.OCCError, OSError) as error:
+    except (Part.OCCError, OSError, RuntimeError) as error:
         raise SetupError(f"{path.name} cannot be read.", "Export the part again.") from error
     return _document(path, solid(shape)), {}
 
 
 def block(outer: Any, holes: Any, depth: float) -> Any:
     """Return a block whose top is at Z0 with a pocket `depth` deep."""
-    floor = Part.Face([_wire(outer), *(_wire(h) for h in holes)])
+    floor = Part.Face(_wire(outer))
+    for hole in holes:  # whichever way round it runs
+        floor = floor.cut(Part.Face(_wire(hole)))
     box = floor.BoundBox
     corner = Vector(box.XMin - MARGIN, box.YMin - MARGIN, -depth - BELOW)
     size = (box.XLength + 2 * MARGIN, box.YLength + 2 * MARGIN, depth + BELOW)

@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line: every kind of file in, program, document, picture and report out."""
+
+import json
+
+import FreeCAD
+import Part
+import pytest
+from sample_parts import (
+    DEPTH,
+    add_job,
+    add_part,
+    area,
+    block,
+    circle,
+    faces_at,
+    rectangle,
+    set_feeds,
+)
+
+from freecad_spiralpocket import cli
+from freecad_spiralpocket.op import part_files
+
+SQUARE = [[0, 0], [24, 0], [24, 18], [0, 18]]
+QUICK = ["--set", "Strategy=Linear Morph"]
+PNG_SIGNATURE = b"\x89PNG"
+
+
+@pytest.fixture(autouse=True)
+def close_documents():
+    """Close what the command line opens."""
+    before = set(FreeCAD.listDocuments())
+    yield
+    for name in set(FreeCAD.listDocuments()) - before:
+        FreeCAD.closeDocument(name)
+
+
+@pytest.fixture
+def one_pocket():
+    """Return a block with one pocket."""
+    return block(area(rectangle(24, 18, 4)))
+
+
+@pytest.fixture
+def two_pockets():
+    """Return a block with two pockets."""
+    return block(area(circle(8)), area(circle(9, 30, 0)))
+
+
+def saved(shape, path):
+    """Return `path` after writing `shape` to it in the format of its ending."""
+    write = {".step": "exportStep", ".iges": "exportIges", ".brep": "exportBrep"}[path.suffix]
+    getattr(shape, write)(str(path))
+    return path
+
+
+def call(*arguments):
+    """Run the command line and return the operation."""
+    return cli.run(cli.parser().parse_args([str(a) for a in arguments]))
+
+
+@pytest.mark.parametrize("suffix", [".step", ".iges", ".brep"])
+def test_a_shape_with_one_pocket_needs_no_face(one_pocket, tmp_path, capsys, suffix):
+    part, program = saved(one_pocket, tmp_path / f"part{suffix}"), tmp_path / "part.nc"
+    assert cli.main([str(part), "--tool", "6", "-o", str(program), *QUICK]) == 0
+    assert "G3" in program.read_text(encoding="utf-8")
+    report = capsys.readouterr().out.splitlines()
+    for word in ("time", "length", "engagement", "uncut", "gouge"):
+        assert sum(line.startswith(f"{word} ") for line in report) == 1
+
+
+def test_an_outline_brings_its_tool_and_step(tmp_path):
+    path = tmp_path / "pocket.json"
+    hole = [[10, 6], [14, 6], [14, 12], [10, 12]]
+    path.write_text(json.dumps({"outer": SQUARE, "holes": [hole], "tool": 3, "ae": 0.9}))
+    op = call(path, "--depth", 2)
+    assert (op.OpToolDiameter.Value, op.StepOver) == (3, 30)
+    (plan,) = op.Proxy.plans
+    assert plan.request.pocket.area == pytest.approx(24 * 18 - 24)
+    assert (op.StartDepth.Value, op.FinalDepth.Value) == (0, -2)
+
+
+def test_several_pockets_are_listed(two_pockets, tmp_path, capsys):
+    part = saved(two_pockets, tmp_path / "part.step")
+    assert cli.main([str(part), "--tool", "6"]) == 1
+    message = capsys.readouterr().err
+    assert "has 2 pockets" in message and "--face all" in message
+    assert all(f"--face {name} " in message for name in faces_at(two_pockets, -DEPTH))
+
+
+def test_faces_are_chosen_by_name_or_all(two_pockets, tmp_path):
+    part = saved(two_pockets, tmp_path / "part.brep")
+    left, right = faces_at(two_pockets, -DEPTH)
+    assert len(call(part, "--tool", 6, "--face", right, *QUICK).Proxy.plans) == 1
+    both = call(part, "--tool", 6, "--face", left, "--face", right, *QUICK)
+    every = call(part, "--tool", 6, "--face", "all", *QUICK)
+    assert len(both.Proxy.plans) == len(every.Proxy.plans) == 2
+
+
+def test_speeds_and_values_reach_the_operation(one_pocket, tmp_path):
+    part = saved(one_pocket, tmp_path / "part.brep")
+    speeds = ["--feed", 1800, "--plunge", 300, "--rapid", 6000, "--spindle", 9000]
+    values = ["--set", "StockToLeave=0.5 mm", "--set", "HelixAngle=3"]
+    flags = ["--set", "FinishingProfile=false", "--stepover", 25]
+    op = call(part, "--tool", 6, *speeds, *values, *flags, *QUICK)
+    controller = op.ToolController
+    assert controller.HorizFeed.Value == pytest.approx(30)
+    assert controller.VertFeed.Value == pytest.approx(5)
+    assert controller.HorizRapid.Value == controller.VertRapid.Value == pytest.approx(100)
+    assert controller.SpindleSpeed == 9000
+    assert (op.StepOver, op.FinishingProfile) == (25, False)
+    assert (op.StockToLeave.Value, op.HelixAngle.Value) == (0.5, 3)
+
+
+def test_a_document_with_a_job_is_used_as_it_is(doc, one_pocket, tmp_path):
+    part = add_part(doc, one_pocket)
+    job = add_job(doc, part, diameter=5)
+    set_feeds(job.Tools.Group[0], 1234)
+    doc.saveAs(str(tmp_path / "job.FCStd"))
+    op = call(tmp_path / "job.FCStd", "--fcstd", tmp_path / "out.FCStd", *QUICK)
+    assert op.OpToolDiameter.Value == 5
+    assert op.ToolController.HorizFeed.Value == pytest.approx(1234 / 60)
+    assert (tmp_path / "out.FCStd").exists()
+
+
+def test_another_tool_is_added_to_the_job(doc, one_pocket, tmp_path):
+    add_job(doc, add_part(doc, one_pocket), diameter=5)
+    doc.saveAs(str(tmp_path / "job.FCStd"))
+    op = call(tmp_path / "job.FCStd", "--tool", 8, *QUICK)
+    assert op.OpToolDiameter.Value == 8 and op.ToolController.HorizFeed.Value > 0
+    assert len(op.Proxy.job.Tools.Group) == 2
+
+
+def test_a_document_with_several_parts_asks_which(doc, one_pocket, two_pockets, tmp_path, capsys):
+    add_part(doc, one_pocket, "Plate")
+    add_part(doc, two_pockets, "Frame")
+    doc.recompute()
+    doc.saveAs(str(tmp_path / "parts.FCStd"))
+    assert cli.main([str(tmp_path / "parts.FCStd"), "--tool", "6"]) == 1
+    assert "several parts: Plate, Frame" in capsys.readouterr().err
+    op = call(tmp_path / "parts.FCStd", "--tool", 6, "--part", "Plate", *QUICK)
+    assert op.Base[0][0].Objects[0].Label == "Plate"
+
+
+def test_a_picture_and_another_post(one_pocket, tmp_path):
+    part = saved(one_pocket, tmp_path / "part.brep")
+    files = ["-o", tmp_path / "p.gcode", "--post", "grbl", "--png", tmp_path / "p.png"]
+    call(part, "--tool", 6, *files, *QUICK)
+    assert "(Begin preamble)" in (tmp_path / "p.gcode").read_text(encoding="utf-8")
+    assert (tmp_path / "p.png").read_bytes().startswith(PNG_SIGNATURE)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "words"),
+    [
+        ("missing.step", None, "There is no file"),
+        ("part.dwg", "", "of no known kind"),
+        ("part.step", "nonsense", "cannot be read"),
+        ("part.json", "{", "is not JSON"),
+        ("part.json", "{}", "has no outline"),
+    ],
+)
+def test_a_file_that_is_no_part_is_named(tmp_path, capsys, name, content, words):
+    path = tmp_path / name
+    if content is not None:
+        path.write_text(content)
+    assert cli.main([str(path), "--tool", "6"]) == 1
+    assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([], "There is no tool"),
+        (["--tool", "30"], "30 mm cutter"),
+        (["--tool", "6", "--set", "StepOver"], "has no value"),
+        (["--tool", "6", "--set", "Stepover=4"], "no property Stepover"),
+        (["--tool", "6", "--face", "Face1"], "Face1"),
+    ],
+)
+def test_what_cannot_be_cut_ends_with_a_sentence(one_pocket, tmp_path, capsys, arguments, words):
+    part = saved(one_pocket, tmp_path / "part.brep")
+    assert cli.main([str(part), *arguments]) == 1
+    error = capsys.readouterr().err
+    assert words in error and "Traceback" not in error
+
+
+def test_faces_of_a_part_become_a_solid(one_pocket):
+    loose = Part.Compound([face.copy() for face in one_pocket.Faces])
+    sewn = part_files.solid(loose)
+    assert sewn.Volume == pytest.approx(one_pocket.Volume)
+    hull = Part.Compound(one_pocket.Faces[1:])
+    assert not part_files.solid(hull).Solids
