@@ -19,7 +19,7 @@ from .rim import cleared_intervals
 from .sampling import Samples
 from .swept import SAME_HEIGHT, Pieces
 
-#: Heights of ramps are rounded up to this share of the axial depth.
+#: Heights of ramps are rounded to this share of the axial depth.
 HEIGHT_STEP = 1 / 32
 
 
@@ -91,8 +91,7 @@ def _higher_pairs(
 
 
 def _stepped_heights(pieces: Pieces, top: float, step: float) -> Floats:
-    """Return the heights of pieces, those of ramps rounded up; infinite for rapids."""
-    flat = pieces.is_level
-    grain = np.where(flat, SAME_HEIGHT, step)
-    steps = np.ceil((pieces.heights - top) / grain - 0.5 * flat)
-    return np.where(pieces.rapid, np.inf, top + steps * grain)
+    """Return the heights of pieces, those of ramps in the middle and rounded; inf for rapids."""
+    grain = np.where(pieces.is_level, SAME_HEIGHT, step)
+    middle = pieces.bottoms.mean(axis=1) - top
+    return np.where(pieces.rapid, np.inf, top + np.round(middle / grain) * grain)

@@ -32,10 +32,10 @@ from .sampling import Samples, between, merge_order, merged, take_samples
 from .swept import SAME_HEIGHT, Pieces, cut_into_pieces
 from .toolpath import Toolpath
 
-#: Distance of samples, in cutter radii: everywhere, and where the angle changes.
-SPACING, FINE_SPACING = 0.2, 0.05
-#: Between neighbors that differ by more than this, samples are added [rad].
-JUMP = np.radians(3.0)
+#: Largest distance of samples, in cutter radii.
+SPACING = 0.2
+#: Between neighbors that differ by more than this [rad] it is halved, this often.
+JUMP, HALVINGS = np.radians(3.0), 2
 #: Pieces within this many radii of the cutter center are measured first.
 NEAR = 1.0
 #: A cutter arrives in the solid if more than this of its whole rim is engaged [rad].
@@ -118,14 +118,12 @@ def along_path(
     ):
         if not value > 0:
             raise ValueError(f"{name} must be positive, got {value}")
-    pieces = cut_into_pieces(toolpath, cutter_radius, top)
+    pieces = cut_into_pieces(toolpath, cutter_radius, top, axial_depth)
     samples = take_samples(pieces, cutter_radius, spacing)
     measured = _measure(samples, pieces, cutter_radius, axial_depth, top)
-    while True:
-        fine = max(FINE_SPACING / SPACING * spacing, 1e-9) * 1.001
-        more = between(pieces, samples, measured[0], cutter_radius, JUMP, fine)
-        if len(more) == 0:
-            break
+    for halving in range(1, HALVINGS + 1):
+        apart = 0.75 * spacing / 2**halving
+        more = between(pieces, samples, measured[0], cutter_radius, JUMP, apart)
         added = _measure(more, pieces, cutter_radius, axial_depth, top)
         order = merge_order(samples, more)
         samples = merged(samples, more, order)
@@ -145,11 +143,11 @@ def along_path(
 def _solid_arrivals(samples: Samples, pieces: Pieces, r: float) -> NDArray[np.bool_]:
     """Return where level motion begins with nearly all of the rim in uncleared ground."""
     level = pieces.is_level[samples.pieces] & ~pieces.rapid[samples.pieces]
-    z = samples.points[:, 2]
-    fresh = np.r_[True, (np.abs(np.diff(z)) > SAME_HEIGHT) | ~level[:-1]][: len(z)] & level
+    climbs = np.cumsum(~pieces.is_level | (pieces.lengths == 0))[samples.pieces]
+    fresh = level & (np.diff(climbs, prepend=-1) != 0)
     arrivals = np.flatnonzero(fresh)
     around = uncleared(samples.select(arrivals), pieces, r, np.pi).angles(len(arrivals))
-    solid = np.zeros(len(z), bool)
+    solid = np.zeros(len(samples), bool)
     solid[arrivals[around > SOLID]] = True
     return solid
 
@@ -157,6 +155,8 @@ def _solid_arrivals(samples: Samples, pieces: Pieces, r: float) -> NDArray[np.bo
 def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float) -> Floats:
     """Return weighted angles [rad], radial depths [mm] and bare angles [rad], shape (3, k)."""
     n = len(samples)
+    if n == 0:
+        return np.zeros((3, 0))
     twins = find_twins(samples, pieces)
     new = twins == np.arange(n)
     gaps = uncleared(samples.select(new), pieces, r).repeated(np.cumsum(new)[twins] - 1)

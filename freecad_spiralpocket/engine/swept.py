@@ -20,8 +20,8 @@ from .toolpath import Kind, Toolpath
 
 #: Heights closer than this are one height [mm]: posts round to 3 decimals.
 SAME_HEIGHT = 2e-3
-#: A ramp is cut into bands of this share of the whole depth.
-RAMP_BAND = 1 / 16
+#: A ramp is cut into bands of this share of a full axial depth.
+RAMP_BAND = 1 / 32
 #: Arcs are cut to at most this sweep [rad] and lines to this many cutter radii.
 LONGEST_SWEEP = np.pi / 4
 LONGEST_LINE = 8.0
@@ -107,7 +107,9 @@ class Pieces:
         return np.where(self.is_arc[index], around, np.arctan2(d[:, 1], d[:, 0]))
 
 
-def cut_into_pieces(toolpath: Toolpath, cutter_radius: float, top: float) -> Pieces:
+def cut_into_pieces(
+    toolpath: Toolpath, cutter_radius: float, top: float, axial_depth: float
+) -> Pieces:
     """Cut the moves below `top` into pieces.
 
     Parameters
@@ -117,6 +119,8 @@ def cut_into_pieces(toolpath: Toolpath, cutter_radius: float, top: float) -> Pie
         [mm], sets the length of the longest piece.
     top : float
         Z of the top of the stock [mm]; what does not go below it cuts nothing.
+    axial_depth : float
+        Axial depth of a full cut [mm], sets the bands of ramps.
 
     Returns
     -------
@@ -128,15 +132,16 @@ def cut_into_pieces(toolpath: Toolpath, cutter_radius: float, top: float) -> Pie
     cutting = np.flatnonzero(low < top - SAME_HEIGHT)
     a, b = starts[cutting], ends[cutting]
     arc, sweeps = toolpath.is_arc[cutting], toolpath.sweeps[cutting]
-    depth = max(top - float(low.min(initial=top)), SAME_HEIGHT)
     centers = toolpath.centers[cutting]
     spokes = a[:, :2] - centers
     radii = np.where(arc, np.hypot(spokes[:, 0], spokes[:, 1]), 0.0)
     angles = np.where(arc, np.arctan2(spokes[:, 1], spokes[:, 0]), 0.0)
     flat = np.where(arc, 0.0, np.hypot(*(b - a)[:, :2].T))
+    moving = arc | (flat > 0)
+    ramp = np.where(moving, np.abs(b[:, 2] - a[:, 2]), 0.0)
     n = np.maximum.reduce(
         [
-            np.ceil(np.abs(b[:, 2] - a[:, 2]) / (RAMP_BAND * depth) - 1e-6),
+            np.ceil(ramp / (RAMP_BAND * axial_depth) - 1e-6),
             np.ceil(np.abs(sweeps) / LONGEST_SWEEP - 1e-6),
             np.ceil(flat / (LONGEST_LINE * cutter_radius) - 1e-6),
             np.ones(len(cutting)),

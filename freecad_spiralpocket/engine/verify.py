@@ -45,8 +45,9 @@ def prove(request: PocketRequest, toolpath: Toolpath) -> Report:
     """
     r, heights, stock = request.cutter_radius, request.heights, request.cutting.stock_to_leave
     top, bottom = heights.start_depth, heights.final_depth + request.cutting.floor_stock
-    pieces = cut_into_pieces(toolpath, r, top)
-    engagement = along_path(toolpath, r, axial_depth=min(heights.step_down, top - bottom), top=top)
+    axial_depth = min(heights.step_down, top - bottom)
+    pieces = cut_into_pieces(toolpath, r, top, axial_depth)
+    engagement = along_path(toolpath, r, axial_depth=axial_depth, top=top)
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
     judged, descent = _judged(engagement, fed, floors(pieces, bottom), r)
     steady = _Spread.of(engagement.angles, engagement.lengths, judged)
