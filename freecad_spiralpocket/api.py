@@ -64,8 +64,6 @@ def add_spiral_pocket(
     with _unchanged_on_error(job):
         with compat.supplied_tool_controller(controller):
             op = operation.Create(operation.NAME, parentJob=job)
-        if view_factory := type(op.Proxy).view_factory:
-            view_factory(op)
         op.ToolController = controller
         op.Base = links
         for name, value in values.items():

@@ -59,14 +59,11 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
     plans : list of Plan
         Of the last recompute, one for each pocket that was cut; transient.
     progress_factory : callable or None
-        ``progress_factory(label)`` returns a context manager that yields a `Progress`.
-    view_factory : callable or None
-        ``view_factory(obj)`` gives a new operation its view. Like `progress_factory` it is set
-        on the class by the graphical side, if there is one.
+        ``progress_factory(label)`` returns a context manager that yields a `Progress`; set on
+        the class by the graphical side, if there is one.
     """
 
     progress_factory: Callable[[str], AbstractContextManager[Progress | None]] | None = None
-    view_factory: Callable[[Any], None] | None = None
     errors: list[SpiralPocketError] | tuple[()] = ()
     plans: list[Plan] | tuple[()] = ()
     _earlier: list[Plan] | tuple[()] = ()
@@ -160,7 +157,8 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
             super().execute(obj)
         except SpiralPocketError as error:
             self._fail(obj, error)
-        results.set_cycle_time(obj, self.plans)
+        finally:
+            results.set_cycle_time(obj, self.plans)
         for error in self.errors:
             log = PathLog.info if isinstance(error, CancelledError) else PathLog.error
             log(f"{obj.Label}: {error}\n")
@@ -188,9 +186,14 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         if not job.Model.Group:
             raise SetupError(f"{job.Label} has no model.", "Add the part to the job's model.")
         tool_controller = obj.ToolController
-        if tool_controller is None or tool_controller.ToolNumber == 0:
+        if tool_controller is None:
             raise SetupError(
                 f"{obj.Label} has no tool controller.", "Choose one with an end mill in it."
+            )
+        if tool_controller.ToolNumber == 0:
+            raise SetupError(
+                f"{tool_controller.Label} has tool number 0, which stands for no tool.",
+                "Give it the number of an end mill, 1 or higher.",
             )
         tool = tool_controller.Proxy.getTool(tool_controller)
         if not tool or float(tool.Diameter) <= 0:
