@@ -25,7 +25,7 @@ HEIGHT_STEP = 1 / 32
 
 def standing_share(
     gaps: Gaps, samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float
-) -> Floats:
+) -> tuple[Floats, Floats]:
     """Return the uncleared angle, averaged over the axial depth from each sample's Z upwards.
 
     Parameters
@@ -39,12 +39,15 @@ def standing_share(
 
     Returns
     -------
-    ndarray of shape (k,)
+    angles : ndarray of shape (k,)
         [rad]
+    bites : ndarray of shape (k,)
+        Height that stands straight ahead [mm], in ``[0, axial_depth]``.
     """
     z, n = samples.points[:, 2], len(samples)
     ceiling = np.minimum(z + axial_depth, top)
-    level, load, angle = z.copy(), np.zeros(n), gaps.angles(n)
+    level, load, bite = z.copy(), np.zeros(n), np.zeros(n)
+    angle, ahead = gaps.angles(n), gaps.contain(n, 0.0)
     heights = _stepped_heights(pieces, top, HEIGHT_STEP * axial_depth)
     rows, piece = _higher_pairs(samples, angle > 0, pieces, heights, ceiling, r)
     pair, low, high = cleared_intervals(samples, rows, piece, pieces, r)
@@ -53,12 +56,15 @@ def standing_share(
     for height in np.unique(at):
         now = at == height
         touched = np.unique(rows[now])
-        load[touched] += angle[touched] * (height - level[touched])
+        rise = height - level[touched]
+        load[touched] += angle[touched] * rise
+        bite[touched] += ahead[touched] * rise
         level[touched] = height
         gaps = gaps.without(rows[now], low[now], high[now], np.pi / 2)
         angle[touched] = gaps.angles(n)[touched]
-    load += angle * np.maximum(ceiling - level, 0.0)
-    return load / axial_depth
+        ahead[touched] = gaps.contain(n, 0.0)[touched]
+    rise = np.maximum(ceiling - level, 0.0)
+    return (load + angle * rise) / axial_depth, bite + ahead * rise
 
 
 def _higher_pairs(
@@ -93,5 +99,5 @@ def _higher_pairs(
 def _stepped_heights(pieces: Pieces, top: float, step: float) -> Floats:
     """Return the heights of pieces, those of ramps in the middle and rounded; inf for rapids."""
     grain = np.where(pieces.is_level, SAME_HEIGHT, step)
-    middle = pieces.bottoms.mean(axis=1) - top
+    middle = np.where(pieces.lengths > 0, pieces.bottoms.mean(axis=1), pieces.heights) - top
     return np.where(pieces.rapid, np.inf, top + np.round(middle / grain) * grain)

@@ -17,7 +17,7 @@ the others only those that come near what then still stands.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,7 @@ from .model import Floats
 from .neighbors import Neighbors, neighborhoods
 from .rim import cleared_intervals
 from .sampling import Samples, between, merge_order, merged, take_samples
-from .swept import SAME_HEIGHT, Pieces, cut_into_pieces
+from .swept import Pieces, cut_into_pieces
 from .toolpath import Toolpath
 
 #: Largest distance of samples, in cutter radii.
@@ -58,6 +58,8 @@ class Engagement:
         in ``[0, 2 r]``.
     axial_depths : ndarray of shape (k,)
         Mean height of what is engaged above the cutter's tip, up to a full axial depth [mm].
+    bites : ndarray of shape (k,)
+        Height of what stands straight ahead, up to a full axial depth [mm].
     lengths : ndarray of shape (k,)
         Length of path each sample stands for [mm].
     solid_arrivals : ndarray of bool, shape (k,)
@@ -71,6 +73,7 @@ class Engagement:
     angles: Floats
     radial_depths: Floats
     axial_depths: Floats
+    bites: Floats
     lengths: Floats
     solid_arrivals: NDArray[np.bool_]
     moves: NDArray[np.int64]
@@ -128,12 +131,13 @@ def along_path(
         order = merge_order(samples, more)
         samples = merged(samples, more, order)
         measured = np.concatenate([measured, added], axis=1)[:, order]
-    load, width, bare = measured
+    load, width, bare, bites = measured
     return Engagement(
         points=samples.points,
         angles=load,
         radial_depths=width,
         axial_depths=axial_depth * np.divide(load, bare, out=np.zeros_like(load), where=bare > 0),
+        bites=bites,
         lengths=samples.lengths,
         solid_arrivals=_solid_arrivals(samples, pieces, cutter_radius),
         moves=pieces.moves[samples.pieces],
@@ -146,22 +150,24 @@ def _solid_arrivals(samples: Samples, pieces: Pieces, r: float) -> NDArray[np.bo
     climbs = np.cumsum(~pieces.is_level | (pieces.lengths == 0))[samples.pieces]
     fresh = level & (np.diff(climbs, prepend=-1) != 0)
     arrivals = np.flatnonzero(fresh)
-    around = uncleared(samples.select(arrivals), pieces, r, np.pi).angles(len(arrivals))
+    # the plunge that brought the cutter here does not count
+    undrilled = replace(pieces, heights=pieces.bottoms.max(axis=1))
+    around = uncleared(samples.select(arrivals), undrilled, r, np.pi).angles(len(arrivals))
     solid = np.zeros(len(samples), bool)
     solid[arrivals[around > SOLID]] = True
     return solid
 
 
 def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float) -> Floats:
-    """Return weighted angles [rad], radial depths [mm] and bare angles [rad], shape (3, k)."""
+    """Return weighted angles [rad], radial depths [mm], bare angles [rad] and bites [mm]."""
     n = len(samples)
     if n == 0:
-        return np.zeros((3, 0))
+        return np.zeros((4, 0))
     twins = find_twins(samples, pieces)
     new = twins == np.arange(n)
     gaps = uncleared(samples.select(new), pieces, r).repeated(np.cumsum(new)[twins] - 1)
-    load = standing_share(gaps, samples, pieces, r, axial_depth, top)
-    return np.stack([load, gaps.widths(n, r), gaps.angles(n)])
+    load, bites = standing_share(gaps, samples, pieces, r, axial_depth, top)
+    return np.stack([load, gaps.widths(n, r), gaps.angles(n), bites])
 
 
 def uncleared(samples: Samples, pieces: Pieces, r: float, half: float = np.pi / 2) -> Gaps:

@@ -43,6 +43,12 @@ class Gaps:
         wide = cutter_radius * np.abs(np.sin(self.ends) - np.sin(self.begins))
         return np.bincount(self.rims, wide, minlength=n).astype(float)
 
+    def contain(self, n: int, angle: float) -> NDArray[np.bool_]:
+        """Return which of `n` rims have a gap around an angle [rad]."""
+        found = np.zeros(n, bool)
+        found[self.rims[(self.begins < angle) & (angle < self.ends)]] = True
+        return found
+
     def hull(self, offset: int, n: int, half: float) -> tuple[Floats, Floats]:
         """Return where the first gap of `n` rims begins and the last one ends [rad].
 

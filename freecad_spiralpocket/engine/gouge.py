@@ -16,8 +16,8 @@ from .distances import arc_to_segment, segment_to_segment
 from .model import Floats
 from .swept import Pieces
 
-#: Places on a piece that crosses the wall where its distance is taken.
-PLACES = 65
+#: A piece that crosses the wall is looked at in this many places, then closer around the worst.
+PLACES, ROUNDS = 33, 3
 
 
 def gouge_depth(
@@ -43,17 +43,30 @@ def gouge_depth(
     if len(pieces) == 0:
         return 0.0, None
     distance = wall_distances(pocket, pieces, max(clearance, 0.0))
-    place = pieces.starts.copy()
-    every = np.arange(len(pieces))
-    ends = shapely.contains_xy(pocket, pieces.ends) & shapely.contains_xy(pocket, pieces.starts)
-    for i in np.flatnonzero(~ends | (distance == 0.0)):
-        points = pieces.positions(np.full(PLACES, every[i]), np.linspace(0.0, 1.0, PLACES))
-        outside = shapely.distance(shapely.points(points), pocket)
-        worst = int(np.argmax(outside))
-        distance[i], place[i] = -outside[worst], points[worst]
+    outside = ~(
+        shapely.contains_xy(pocket, pieces.starts) & shapely.contains_xy(pocket, pieces.ends)
+    )
+    for i in np.flatnonzero(outside | (distance == 0.0)):
+        distance[i] = _deepest(pocket, pieces, int(i))[0]
     worst = int(np.argmin(distance))
     depth = max(0.0, clearance - float(distance[worst]))
-    return depth, (float(place[worst, 0]), float(place[worst, 1])) if depth > 0 else None
+    return depth, _deepest(pocket, pieces, worst)[1] if depth > 0 else None
+
+
+def _deepest(pocket: Polygon, pieces: Pieces, i: int) -> tuple[float, tuple[float, float]]:
+    """Return least signed distance to the wall along a piece, negative outside, and where."""
+    low, high = 0.0, 1.0
+    for _ in range(ROUNDS):
+        fractions = np.linspace(low, high, PLACES)
+        points = pieces.positions(np.full(PLACES, i), fractions)
+        there = shapely.points(points)
+        beyond = shapely.distance(there, pocket)
+        inside = shapely.distance(there, pocket.boundary)
+        signed = np.where(beyond > 0, -beyond, inside)
+        best = int(np.argmin(signed))
+        low, high = fractions[max(best - 1, 0)], fractions[min(best + 1, PLACES - 1)]
+    x, y = points[best]
+    return float(signed[best]), (float(x), float(y))
 
 
 def wall_distances(pocket: Polygon, pieces: Pieces, limit: float) -> Floats:

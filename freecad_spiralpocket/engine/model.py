@@ -221,7 +221,7 @@ class Report:
     rapid_hit, link_hit : float
         Length of rapids and of links through standing stock [mm]; 0 as it should be.
     entry_bite : float
-        Axial depth of cut on the way down, not passed over 99 % of its length [mm].
+        Height of stock straight ahead on the way down, not passed over 99 % of its length [mm].
     engagement_points : ndarray of shape (k, 3)
         Where the engagement was measured [mm], in the order of travel.
     engagement_angles : ndarray of shape (k,)

@@ -38,7 +38,8 @@ class Pieces:
     bottoms : ndarray of shape (n, 2)
         Z at start and end [mm].
     heights : ndarray of shape (n,)
-        Z that the whole piece has certainly reached: the upper of its ends [mm].
+        Z down to which the piece clears all of its ground: the upper of its ends, the lower
+        where it goes straight down [mm].
     moves : ndarray of int, shape (n,)
         The move each piece belongs to.
     rapid : ndarray of bool, shape (n,)
@@ -167,7 +168,7 @@ def cut_into_pieces(
         starts=whole.positions(every, f0),
         ends=whole.positions(every, f1),
         bottoms=whole.bottoms,
-        heights=whole.bottoms.max(axis=1),
+        heights=np.where(moving[row], whole.bottoms.max(axis=1), whole.bottoms.min(axis=1)),
         moves=whole.moves,
         rapid=whole.rapid,
         centers=whole.centers,

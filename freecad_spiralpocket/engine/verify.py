@@ -78,7 +78,7 @@ def prove(request: PocketRequest, toolpath: Toolpath) -> Report:
         chip_load_p99=_Spread.of(chips, engagement.lengths, judged).p99,
         rapid_hit=rapid.length,
         link_hit=link.length,
-        entry_bite=_Spread.of(engagement.axial_depths, engagement.lengths, descent).p99,
+        entry_bite=_Spread.of(engagement.bites, engagement.lengths, descent).p99,
         engagement_points=engagement.points[fed],
         engagement_angles=engagement.angles[fed],
         uncut=uncut,

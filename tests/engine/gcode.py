@@ -14,7 +14,7 @@ RAPID = 5000.0 / 60  # mm/s
 
 def read_program(text: str) -> Toolpath:
     """Return the motion of a program; what descends first is its entry."""
-    builder, mode, feed, here = None, 0, 0.0, {"X": 0.0, "Y": 0.0, "Z": 0.0}
+    builder, mode, feed, here = None, 0, 0.0, {}
     for line in text.splitlines():
         words = WORD.findall(re.sub(r"\(.*?\)|;.*", "", line))
         for letter, number in words:
@@ -26,11 +26,10 @@ def read_program(text: str) -> Toolpath:
             continue
         start = dict(here)
         here.update({axis: values[axis] for axis in "XYZ" if axis in values})
-        if {"X", "Y", "Z"} - values.keys() and builder is None:
-            continue  # no motion before the first place is known in full
-        if builder is None:
-            builder = ToolpathBuilder([start[axis] for axis in "XYZ"])
-        _move(builder, mode, start, here, values, feed)
+        if builder is not None:
+            _move(builder, mode, start, here, values, feed)
+        elif len(here) == 3:  # no motion before the first place is known in full
+            builder = ToolpathBuilder([here[axis] for axis in "XYZ"])
     assert builder is not None, "no motion"
     return builder.build()
 

@@ -1,0 +1,365 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The proof: closed forms of gouge and uncut area, what it finds, and what it says."""
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+from gcode import read_program
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from oracle import Bitmap, walk
+from shapely import LineString, Point, Polygon, box
+from shapes import FEEDS
+
+from freecad_spiralpocket.engine.coverage import uncut_floor
+from freecad_spiralpocket.engine.gouge import gouge_depth
+from freecad_spiralpocket.engine.model import Cutting, Heights, PocketRequest, Report
+from freecad_spiralpocket.engine.swept import cut_into_pieces
+from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
+from freecad_spiralpocket.engine.verify import prove
+
+R = 3.0
+FLOOR = -5.0
+FEED = 10.0
+SQUARE = box(0, 0, 40, 40)
+ISLAND = Polygon(SQUARE.exterior.coords, [box(15, 15, 25, 25).exterior.coords[::-1]])
+
+
+def request(pocket: Polygon, stepover: float = 2.4, **changes) -> PocketRequest:
+    heights = Heights(15.0, 3.0, 0.0, changes.pop("final_depth", FLOOR), 5.0)
+    cutting = Cutting(stepover, **changes)
+    return PocketRequest(pocket, 2 * R, heights, FEEDS, cutting)
+
+
+def started(x: float, y: float, z: float = FLOOR) -> ToolpathBuilder:
+    builder = ToolpathBuilder((x, y, 5.0))
+    builder.rapid(50.0, z=1.0)
+    builder.line((x, y, z), FEED, Role.ENTRY)
+    return builder
+
+
+def lines(builder: ToolpathBuilder, *points, role: Role = Role.CUT) -> ToolpathBuilder:
+    for x, y in points:
+        builder.line((x, y, FLOOR), FEED, role)
+    return builder
+
+
+def zigzag(xs: tuple, ys: np.ndarray) -> Toolpath:
+    """Return a path to and fro between two x at the given y."""
+    builder = started(xs[0], ys[0])
+    for i, y in enumerate(ys):
+        lines(builder, (xs[i % 2], y), (xs[1 - i % 2], y))
+    return builder.build()
+
+
+def gouge(pocket: Polygon, path: Toolpath, clearance: float = R):
+    return gouge_depth(pocket, cut_into_pieces(path, R, 0.0, 5.0), clearance)
+
+
+def uncut_area(pocket: Polygon, path: Toolpath, skin: float = 0.0) -> float:
+    pieces = cut_into_pieces(path, R, 0.0, 5.0)
+    return uncut_floor(pocket, pieces, FLOOR, R, skin).area
+
+
+def clears_square(stepover: float = 2.0) -> Toolpath:
+    """Return a path that clears the square: to and fro, then along the walls."""
+    builder = started(3.0, 3.0)
+    for i, y in enumerate(np.arange(3.0, 37.0 + 1e-9, stepover)):
+        lines(builder, *((3.0, y), (37.0, y))[:: 1 if i % 2 == 0 else -1])
+    return lines(builder, (37, 37), (37, 3), (3, 3), (3, 37), (37, 37)).build()
+
+
+# Gouge
+
+
+@pytest.mark.parametrize("past", [0.001, 0.05, 2.0, 4.5])
+def test_line_past_the_wall_gouges_by_its_distance(past):
+    path = lines(started(20, 20), (37 + past, 20), (20, 20)).build()
+    depth, place = gouge(SQUARE, path)
+    assert depth == pytest.approx(past, abs=1e-9)
+    assert place == pytest.approx((37 + past, 20), abs=0.01)
+
+
+def test_arc_bulging_past_the_wall_gouges_by_its_rise():
+    # ends 1 mm off the wall's limit, rises 1.05 mm between
+    rise, half = 1.05, 5.0
+    radius = (half**2 + rise**2) / (2 * rise)
+    builder = lines(started(20, 20), (36, 15))
+    builder.arc((36, 25, FLOOR), (36 + rise - radius, 20), True, FEED, Role.CUT)
+    assert gouge(SQUARE, builder.build())[0] == pytest.approx(0.05, abs=1e-9)
+
+
+def test_arc_around_an_island_corner_touches_it_exactly():
+    builder = lines(started(12, 20), (12, 15))
+    builder.arc((15, 12, FLOOR), (15, 15), True, FEED, Role.CUT)
+    assert gouge(ISLAND, builder.build())[0] == pytest.approx(0.0, abs=1e-9)
+    assert gouge(ISLAND, builder.build(), R + 0.2)[0] == pytest.approx(0.2, abs=1e-9)
+
+
+def test_path_across_an_island_gouges_by_radius_and_depth():
+    path = lines(started(10, 20), (30, 20)).build()
+    assert gouge(ISLAND, path)[0] == pytest.approx(R + 5.0, abs=0.1)
+
+
+def test_rapids_gouge_below_the_top_only():
+    builder = started(20, 20)
+    builder.rapid(50.0, z=2.0)
+    builder.rapid(50.0, x=60.0)
+    assert gouge(SQUARE, builder.build())[0] == 0.0
+    builder.rapid(50.0, z=-1.0)
+    assert gouge(SQUARE, builder.build())[0] == pytest.approx(R + 20.0)
+
+
+@settings(max_examples=50)
+@given(
+    st.lists(st.tuples(st.floats(2, 38), st.floats(2, 38)), min_size=2, max_size=8),
+    st.floats(0.5, 60.0),
+)
+def test_gouge_agrees_with_densely_sampled_distances(points, bulge):
+    builder = started(*points[0])
+    for i, (x, y) in enumerate(points[1:]):
+        here = builder.here[:2]
+        chord = np.array([x, y]) - here
+        half = np.linalg.norm(chord) / 2
+        if i % 2 or half < 0.1:
+            lines(builder, (x, y))
+            continue
+        normal = np.array([-chord[1], chord[0]]) / (2 * half)
+        radius = half + bulge
+        center = here + chord / 2 + normal * math.sqrt(radius**2 - half**2)
+        builder.arc((x, y, FLOOR), center, True, FEED, Role.CUT)
+    path = builder.build()
+    dense = walk(path, 0.02)[0]
+    below = shapely.points(dense[dense[:, 2] < 0.0, :2])
+    distance = shapely.distance(below, ISLAND.boundary)
+    worst = np.max(np.where(shapely.contains(ISLAND, below), R - distance, R + distance))
+    assert gouge(ISLAND, path)[0] == pytest.approx(max(worst, 0.0), abs=0.02)
+
+
+# Uncut area
+
+
+def test_one_pass_leaves_the_sides_of_a_wide_slot():
+    width, length = 2 * R + 1.0, 40.0
+    pocket = LineString([(R, 0), (length - R, 0)]).buffer(R, quad_segs=64)
+    sides = box(R, -width / 2, length - R, width / 2)
+    path = lines(started(R, 0), (length - R, 0)).build()
+    assert uncut_area(pocket.union(sides), path) == pytest.approx(1.0 * (length - 2 * R), rel=2e-3)
+
+
+def test_skin_within_the_tolerance_does_not_count():
+    pocket = box(0, -R - 0.05, 40, R + 0.05)
+    path = lines(started(-R, 0), (40 + R, 0)).build()
+    assert uncut_area(pocket, path, skin=0.04) == pytest.approx(2 * 0.01 * 40, rel=0.1)
+    assert uncut_area(pocket, path, skin=0.06) == 0.0
+
+
+def test_arcs_clear_what_they_sweep():
+    ring = Point(0, 0).buffer(15.0, quad_segs=256).difference(Point(0, 0).buffer(5, quad_segs=256))
+    builder = started(12, 0)
+    for ccw in (True, False):
+        x = builder.here[0]
+        for _ in range(2):
+            x = -x
+            builder.arc((x, 0, FLOOR), (0, 0), ccw, FEED, Role.CUT)
+        lines(builder, (8, 0))
+    full = builder.build()
+    assert uncut_area(ring, full, skin=0.002) == pytest.approx(0.0, abs=1e-3)
+    outer = np.pi * (9**2 - 5**2)
+    builder = started(12, 0)
+    for x in (-12, 12):
+        builder.arc((x, 0, FLOOR), (0, 0), True, FEED, Role.CUT)
+    assert uncut_area(ring, builder.build()) == pytest.approx(outer, rel=1e-3)
+
+
+def test_tight_arc_leaves_no_core():
+    builder = started(2, 0)
+    for x in (-2, 2):
+        builder.arc((x, 0, FLOOR), (0, 0), True, FEED, Role.CUT)
+    disc = Point(0, 0).buffer(5.0, quad_segs=128)
+    assert uncut_area(disc, builder.build(), skin=0.002) == 0.0
+
+
+def test_gap_between_laps_is_found():
+    # 0.1 mm stands between passes that are 6.1 mm apart
+    path = zigzag((-10.0, 50.0), np.array([3.0, 9.1]))
+    assert uncut_area(box(0, 0.1, 40, 12), path) == pytest.approx(0.1 * 40, rel=1e-2)
+
+
+def test_motion_above_the_floor_clears_nothing():
+    builder = started(3, 20, z=-4.9)
+    builder.line((37, 20, -4.9), FEED, Role.CUT)
+    assert uncut_area(SQUARE, builder.build()) == pytest.approx(40 * 40, rel=1e-2)
+
+
+@settings(max_examples=10)
+@given(st.lists(st.tuples(st.floats(3, 37), st.floats(3, 37)), min_size=2, max_size=6))
+def test_uncut_area_agrees_with_a_bitmap(points):
+    path = lines(started(*points[0]), *points[1:]).build()
+    pixel = 0.1
+    stock = Bitmap((0, 0, 40, 40), pixel, 0.0)
+    for center in walk(path, 0.05)[0]:
+        if center[2] <= FLOOR + 1e-9:
+            stock.cut(center, R)
+    everywhere = np.ones(stock.heights.shape, bool)
+    expected = stock.standing_area(FLOOR, everywhere)
+    assert uncut_area(SQUARE, path) == pytest.approx(expected, abs=path.lengths.sum() * 0.02)
+
+
+# The report
+
+
+def proved(path: Toolpath, pocket: Polygon = SQUARE, **changes) -> Report:
+    return prove(request(pocket, **changes), path)
+
+
+def said(report: Report) -> str:
+    return "\n".join(str(notice) for notice in report.notices)
+
+
+def test_clean_path_has_nothing_to_say():
+    report = proved(clears_square(), stepover=6.0)
+    assert report.notices == ()
+    assert report.gouge == pytest.approx(0.0, abs=1e-9)
+    assert report.uncut_area == 0.0
+    assert (report.rapid_hit, report.link_hit, report.over_limit_share) == (0.0, 0.0, 0.0)
+
+
+def test_time_and_length_are_sums():
+    path = clears_square()
+    report = proved(path)
+    assert report.time == pytest.approx(np.sum(path.lengths / path.feeds))
+    assert report.cut_length == pytest.approx(path.lengths[1:].sum())
+
+
+def test_engagement_over_the_limit_is_told_in_degrees():
+    path = lines(started(3, 3), (37, 3), (37, 20), (3, 20)).build()
+    report = proved(path)
+    assert np.degrees(report.engagement_max) == pytest.approx(180.0, abs=0.01)
+    assert report.engagement_max >= report.engagement_p99 >= report.engagement_mean
+    assert "the engagement reaches 180 degrees, the step-over of 40 % allows 78." in said(report)
+
+
+def test_entry_is_not_judged():
+    # one and a half circumferences are 28 mm: this slot is all entry
+    report = proved(lines(started(3, 20), (31, 20)).build())
+    assert report.engagement_max == 0.0
+    report = proved(lines(started(3, 20), (37, 20)).build())
+    assert np.degrees(report.engagement_max) == pytest.approx(180.0, abs=0.01)
+
+
+def test_uncut_ground_is_told_with_its_place():
+    report = proved(lines(started(3, 3), (37, 3), (37, 37)).build())
+    assert "of the floor stay uncut, the largest part at X" in said(report)
+    corners = (4 - np.pi) * R**2
+    overlap = R**2 + 0.75 * np.pi * R**2
+    swept = 2 * (34 * 2 * R + np.pi * R**2) - overlap
+    assert report.uncut_area == pytest.approx(1600 - corners - swept, rel=2e-3)
+
+
+def test_gouge_is_told():
+    report = proved(lines(started(20, 20), (37.2, 20)).build())
+    assert report.gouge == pytest.approx(0.2)
+    assert "cuts 0.200 mm into the wall" in said(report)
+
+
+def test_stock_to_leave_moves_the_wall():
+    path = lines(started(20, 20), (36.7, 20)).build()
+    assert proved(path, stock_to_leave=0.5).gouge == pytest.approx(0.2)
+    assert proved(path, stock_to_leave=0.3).gouge == pytest.approx(0.0, abs=1e-9)
+    assert proved(lines(started(20, 20), (37.2, 20)).build(), stock_to_leave=-0.2).gouge < 1e-9
+
+
+def test_cut_below_the_floor_is_told():
+    path = started(20, 20, z=FLOOR - 0.3).build()
+    assert proved(path).gouge == pytest.approx(0.3)
+    assert "0.300 mm below the floor" in said(proved(path))
+    assert proved(started(20, 20).build(), floor_stock=0.2).gouge == pytest.approx(0.2)
+
+
+def test_floor_that_is_never_reached_is_uncut():
+    report = proved(clears_square(), final_depth=FLOOR - 1.0)
+    assert report.uncut_area == pytest.approx(40 * 40 - (4 - np.pi) * R**2, rel=1e-2)
+
+
+def test_rapid_through_stock_is_told():
+    builder = lines(started(3, 20), (20, 20))
+    builder.rapid(50.0, x=30.0)
+    report = proved(builder.build())
+    assert report.rapid_hit == pytest.approx(10.0, abs=0.4)
+    assert "A rapid move runs through standing stock" in said(report)
+    builder = lines(started(3, 20), (20, 20))
+    builder.rapid(50.0, x=3.0)
+    assert proved(builder.build()).rapid_hit == 0.0
+
+
+@pytest.mark.parametrize(("place", "hit"), [((10.0, 20.0), 0.0), ((10.0, 20.5), 6.0)])
+def test_rapid_plunge_into_stock_is_told(place, hit):
+    builder = lines(started(3, 20), (37, 20))
+    builder.rapid(50.0, z=1.0)
+    builder.rapid(50.0, *place)
+    builder.rapid(50.0, z=FLOOR)
+    assert proved(builder.build()).rapid_hit == pytest.approx(hit)
+
+
+def test_rapid_plunge_onto_a_standing_post_is_told():
+    builder = started(14, 10)
+    builder.arc((6, 10, FLOOR), (10, 10), True, FEED, Role.CUT)
+    builder.arc((14, 10, FLOOR), (10, 10), True, FEED, Role.CUT)
+    builder.rapid(50.0, z=1.0)
+    builder.rapid(50.0, 10.0, 10.0)
+    builder.rapid(50.0, z=FLOOR)
+    assert proved(builder.build()).rapid_hit > 0.0
+
+
+def test_link_through_stock_is_told():
+    builder = lines(started(3, 20), (37, 20), role=Role.CUT)
+    assert proved(lines(builder, (3, 20), role=Role.LINK).build()).link_hit == 0.0
+    report = proved(lines(builder, (3, 23), (20, 23), role=Role.LINK).build())
+    assert report.link_hit > 15.0
+    assert "A link move runs through standing stock" in said(report)
+
+
+def test_chip_load_is_one_at_the_limit_and_feed():
+    path = zigzag((3.0, 37.0), 3.0 + 2.4 * np.arange(12))
+    slow = prove(request(SQUARE), path).chip_load_p99
+    assert slow == pytest.approx(FEED / FEEDS.horizontal * 1.02, rel=0.02)
+
+
+def test_entry_bite_is_the_pitch_of_the_helix():
+    builder = ToolpathBuilder((22.5, 20, 5.0))
+    builder.rapid(50.0, z=0.0)
+    for k in range(8):
+        x = 17.5 if k % 2 == 0 else 22.5
+        builder.arc((x, 20, -0.625 * (k + 1)), (20, 20), True, FEED, Role.ENTRY)
+    report = proved(builder.build())
+    # the ground ahead was passed last 260 of 360 degrees before, ramps are taken as steps
+    assert report.entry_bite == pytest.approx(1.25 * 260 / 360, abs=0.16)
+
+
+def test_levels_are_judged_alike():
+    once, twice = started(3, 3), started(3, 3)
+    for builder, depths in ((once, (1,)), (twice, (1, 2))):
+        for depth in depths:
+            builder.rapid(50.0, z=1.0)
+            builder.rapid(50.0, 3.0, 3.0)
+            builder.line((3, 3, depth * FLOOR), FEED, Role.ENTRY)
+            for i, y in enumerate(np.arange(3.0, 37.0, 2.4)):
+                for x in ((3.0, 37.0), (37.0, 3.0))[i % 2]:
+                    builder.line((x, y, depth * FLOOR), FEED, Role.CUT)
+    one, two = proved(once.build()), proved(twice.build(), final_depth=2 * FLOOR)
+    assert two.engagement_max == pytest.approx(one.engagement_max, abs=1e-6)
+    assert two.engagement_mean == pytest.approx(one.engagement_mean, abs=1e-3)
+    assert two.uncut_area == pytest.approx(one.uncut_area, abs=1e-6)
+
+
+def test_posted_program_reads_like_its_toolpath():
+    path = read_program(
+        "G21 G90\nG0 Z5.0\nG0 X3 Y20 Z5\nG0 Z1\nG1 Z-5 F600\nG1 X30\n"
+        "G3 X37 Y27 I0 J7 F1200 (corner)\nG2 X37 Y27 I-3 J0\nG0 Z5\n"
+    )
+    assert len(path) == 7
+    assert path.lengths.sum() == pytest.approx(4 + 6 + 27 + 3.5 * np.pi + 6 * np.pi + 10)
+    assert path.feeds[1:3] == pytest.approx([10.0, 10.0])
