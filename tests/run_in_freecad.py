@@ -55,9 +55,9 @@ def exit_code(arguments):
 
 def run_and_leave():
     """Run what ``$SPIRALPOCKET_RUN`` holds and end FreeCAD."""
-    if "SPIRALPOCKET_STDOUT" in os.environ:  # where the output goes without FreeCAD's banner
-        os.dup2(int(os.environ["SPIRALPOCKET_STDOUT"]), 1)
-    if FreeCAD.GuiUp:  # whose standard streams lead to the report view
+    if "SPIRALPOCKET_STDOUT" in os.environ:  # apart from FreeCAD's banner and progress figures
+        sys.stdout = os.fdopen(int(os.environ["SPIRALPOCKET_STDOUT"]), "w", buffering=1)
+    elif FreeCAD.GuiUp:  # whose standard streams lead to the report view
         sys.stdout = os.fdopen(os.dup(1), "w", buffering=1)
         sys.stderr = os.fdopen(os.dup(2), "w", buffering=1)
     code = exit_code(os.environ["SPIRALPOCKET_RUN"].split("\x1f")[:-1])
