@@ -17,29 +17,32 @@ import numpy as np
 from .engine.errors import RequestError
 from .engine.toolpath import Kind, Role, Toolpath, ToolpathBuilder
 
+#: Programs do not say how fast rapids are [mm/s].
+RAPID = 5000 / 60
+
 _COMMENT = re.compile(r"\([^)]*\)|;.*")
 _WORD = re.compile(r"([A-Z])\s*([-+]?(?:\d+\.?\d*|\.\d+))")
 _IGNORED_G = {4, 17, 28, 30, 40, 43, 49, 53, 54, 55, 56, 57, 58, 59, 61, 61.1, 64, 80, 94, 98, 99}
 
 
-def read_program(path: str | Path) -> Toolpath:
+def read_program(path: str | Path, rapid: float = RAPID) -> Toolpath:
     """Read the program in the file at `path`; see `parse_program`."""
-    return parse_program(Path(path).read_text(encoding="utf-8", errors="replace"))
+    return parse_program(Path(path).read_text(encoding="utf-8", errors="replace"), rapid)
 
 
-def parse_program(text: str) -> Toolpath:
+def parse_program(text: str, rapid: float = RAPID) -> Toolpath:
     """Return the moves of a program.
 
     The path begins at the end of the first motion, since nobody knows where the machine
     stood before. Moves are `Role.AIR` as rapids, `Role.ENTRY` where they sink, else
-    `Role.CUT`; arcs of more than half a turn are split.
+    `Role.CUT`; arcs of more than half a turn are split. Rapids get the rate `rapid` [mm/s].
 
     Raises
     ------
     RequestError
         If a line cannot be understood.
     """
-    reader = _Reader()
+    reader = _Reader(rapid)
     for number, raw in enumerate(text.splitlines(), 1):
         line = _COMMENT.sub("", raw).upper().strip()
         if not line or line[0] in "%/":
@@ -62,7 +65,8 @@ class _NotUnderstoodError(Exception):
 class _Reader:
     """Modal state of the interpreter."""
 
-    def __init__(self) -> None:
+    def __init__(self, rapid: float) -> None:
+        self.rapid = rapid
         self.builder: ToolpathBuilder | None = None
         self.here = np.zeros(3)
         self.motion = 0
@@ -107,7 +111,7 @@ class _Reader:
         if self.builder is None:
             self.builder = ToolpathBuilder(target)
         elif self.motion == 0:
-            self.builder.rapid(np.inf, *target)
+            self.builder.rapid(self.rapid, *target)
         elif self.feed <= 0:
             raise _NotUnderstoodError("a feed move before any F word")
         elif self.motion == 1:

@@ -25,20 +25,15 @@ _GAP = 0.5
 
 def path_by_engagement(axes: Axes, study: Study) -> None:
     """Draw the path in the plane, colored by engagement angle."""
-    from matplotlib.collections import LineCollection
+    angles = np.degrees(study.engagement.angles)
+    _colored_path(axes, study, angles, (0.0, 180.0), "engagement angle [deg]")
 
-    xy, angles = study.engagement.points[:, :2], np.degrees(study.engagement.angles)
-    near = np.flatnonzero(_steps(study) < _GAP * study.setup.cutter.diameter)
-    lines = LineCollection(
-        np.stack([xy[near], xy[near + 1]], axis=1), cmap="turbo", lw=0.9, capstyle="round"
-    )
-    lines.set_array(angles[near + 1])
-    lines.set_clim(0, 180)
-    axes.add_collection(lines)
-    axes.set_aspect("equal")
-    axes.autoscale_view()
-    axes.set(xlabel="X [mm]", ylabel="Y [mm]")
-    axes.figure.colorbar(lines, ax=axes, label="engagement angle [deg]")
+
+def path_by_feed(axes: Axes, study: Study) -> None:
+    """Draw the path in the plane, colored by programmed feed."""
+    feeds = study.toolpath.feeds[study.engagement.moves] * 60
+    bounds = (0.0, float(feeds[np.isfinite(feeds)].max(initial=1.0)))
+    _colored_path(axes, study, feeds, bounds, "programmed feed [mm/min]")
 
 
 def engagement_along_path(axes: Axes, study: Study) -> None:
@@ -48,7 +43,7 @@ def engagement_along_path(axes: Axes, study: Study) -> None:
     if np.isfinite(study.setup.engagement_limit):
         limit = np.degrees(study.setup.engagement_limit)
         axes.axhline(limit, color=LIMIT_COLOR, lw=1, ls="--", label=f"limit {limit:.0f} deg")
-        axes.legend(loc="upper right", frameon=False)
+        _legend(axes)
     axes.set(xlabel="arc length [mm]", ylabel="engagement angle [deg]", ylim=(0, 185))
 
 
@@ -66,7 +61,7 @@ def velocity_along_path(axes: Axes, study: Study) -> None:
     ends = np.cumsum(path.lengths)
     feeds = np.where(path.kinds == Kind.RAPID, np.nan, path.feeds) * 60
     axes.step(np.r_[0.0, ends], np.r_[feeds[:1], feeds], color=SECOND, lw=0.7, label="programmed")
-    axes.legend(loc="upper right", frameon=False)
+    _legend(axes)
     axes.set(xlabel="arc length [mm]", ylabel="feed [mm/min]", ylim=(0, None))
 
 
@@ -76,7 +71,7 @@ def force_against_time(axes: Axes, study: Study) -> None:
     _, mean = _broken(study, study.clock, study.forces.mean)
     axes.plot(x, peak, color=LIGHT, lw=0.6, label="peak of a revolution")
     axes.plot(x, mean, color=LINE, lw=0.7, label="mean of a revolution")
-    axes.legend(loc="upper right", frameon=False)
+    _legend(axes)
     axes.set(xlabel="time [s]", ylabel="force [N]", ylim=(0, None))
 
 
@@ -91,7 +86,7 @@ def curvature_histogram(axes: Axes, study: Study) -> None:
     for cut, name, style in zip(cuts, ("Cut95", "Cut99"), ("--", ":"), strict=True):
         axes.axvline(cut, color=LIMIT_COLOR, ls=style, label=f"{name} {cut:.3f}")
     axes.set_yscale("log")
-    axes.legend(frameon=False)
+    _legend(axes)
     axes.set(xlabel="absolute curvature [1/mm]", ylabel="share of the length [%]")
 
 
@@ -104,8 +99,32 @@ def engagement_histogram(axes: Axes, study: Study) -> None:
     ):
         share = weights / max(float(weights.sum()), 1e-9) * 100
         axes.hist(angles, bins, weights=share, histtype="step", color=color, label=f"of the {name}")
-    axes.legend(frameon=False)
+    _legend(axes)
     axes.set(xlabel="engagement angle [deg]", ylabel="share [%]")
+
+
+def _legend(axes: Axes) -> None:
+    """Write the legend above the axes, where it hides nothing."""
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.98), ncols=2, frameon=False)
+
+
+def _colored_path(
+    axes: Axes, study: Study, values: np.ndarray, bounds: tuple[float, float], label: str
+) -> None:
+    """Draw the stretches between neighboring samples, colored by the later one's value."""
+    from matplotlib.collections import LineCollection
+
+    xy = study.engagement.points[:, :2]
+    near = np.flatnonzero(_steps(study) < _GAP * study.setup.cutter.diameter)
+    segments = np.stack([xy[near], xy[near + 1]], axis=1)
+    lines = LineCollection(segments, cmap="turbo", lw=0.9, capstyle="round")
+    lines.set_array(values[near + 1])
+    lines.set_clim(*bounds)
+    axes.add_collection(lines)
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.set(xlabel="X [mm]", ylabel="Y [mm]")
+    axes.figure.colorbar(lines, ax=axes, label=label)
 
 
 def _steps(study: Study) -> np.ndarray:

@@ -76,49 +76,95 @@ def _widen_dips(edges: Floats, rungs: Rungs, least: float) -> tuple[Floats, Rung
 
 
 def _lower_short(edges: Floats, rungs: Rungs, least: float, ratio: float) -> tuple[Floats, Rungs]:
-    """Return the step function with short steps lowered to their higher neighbor.
+    """Return the step function without short steps between others, except dips.
 
-    The one that costs the least time goes first.
+    A short step goes down to its higher lower neighbor, or takes what it lacks from a higher
+    neighbor that can spare it: whichever costs less time, the cheapest of all steps first.
     """
-    count = len(rungs)
-    start, end, rung = edges[:-1].tolist(), edges[1:].tolist(), rungs.tolist()
-    before, after = list(range(-1, count - 1)), [*range(1, count), -1]
-    alive = [True] * count
-    heap: list[tuple[float, int, float, int]] = []
+    steps = _Steps(edges, rungs, least, ratio)
+    heap: list[tuple[float, int, int, float]] = []
 
     def offer(i: int) -> None:
-        lower = [rung[j] for j in (before[i], after[i]) if j >= 0 and rung[j] <= rung[i]]
-        length = end[i] - start[i]
-        if lower and length < least:
-            cost = length * (ratio ** -max(lower) - ratio ** -rung[i])
-            heapq.heappush(heap, (cost, i, length, max(lower)))
+        way = steps.cheapest_way(i)
+        if way is not None:
+            heapq.heappush(heap, way)
 
-    for i in range(count):
+    for i in range(len(rungs)):
         offer(i)
     while heap:
-        _, i, length, target = heapq.heappop(heap)
-        if not alive[i] or length != end[i] - start[i] or target > rung[i]:
-            continue
-        near = [j for j in (before[i], after[i]) if j >= 0 and rung[j] <= rung[i]]
-        if not near or max(rung[j] for j in near) != target:
-            continue
-        rung[i] = target
-        for j in near:
-            if rung[j] == target:
-                alive[j] = False
-                start[i], end[i] = min(start[i], start[j]), max(end[i], end[j])
-                if j == before[i]:
-                    before[i] = before[j]
-                    if before[i] >= 0:
-                        after[before[i]] = i
-                else:
-                    after[i] = after[j]
-                    if after[i] >= 0:
-                        before[after[i]] = i
-        for j in (before[i], i, after[i]):
-            if j >= 0:
-                offer(j)
-    kept = [i for i in range(count) if alive[i]]
-    kept.sort(key=start.__getitem__)
-    new_edges = np.array([*(start[i] for i in kept), edges[-1]])
-    return new_edges, np.array([rung[i] for i in kept])
+        way = heapq.heappop(heap)
+        _, i, j, _ = way
+        # what changed in between has been offered again
+        if steps.alive[i] and steps.alive[j] and steps.cheapest_way(i) == way:
+            for k in steps.go(i, j):
+                offer(k)
+    return steps.result()
+
+
+class _Steps:
+    """A step function as a linked list of steps, while it is being changed."""
+
+    def __init__(self, edges: Floats, rungs: Rungs, least: float, ratio: float) -> None:
+        count = len(rungs)
+        self.least, self.ratio = least, ratio
+        self.start, self.end = edges[:-1].tolist(), edges[1:].tolist()
+        self.rung = rungs.tolist()
+        self.before = list(range(-1, count - 1))
+        self.after = [*range(1, count), -1]
+        self.alive = [True] * count
+
+    def _near(self, i: int) -> list[int]:
+        """Return the neighbors of step i."""
+        return [j for j in (self.before[i], self.after[i]) if j >= 0]
+
+    def cheapest_way(self, i: int) -> tuple[float, int, int, float] | None:
+        """Return (cost, step, neighbor, length) of the best cure for a short step, or None."""
+        length, slowness = self.end[i] - self.start[i], self.ratio ** -self.rung[i]
+        if length >= self.least:
+            return None
+        ways = []
+        for j in self._near(i):
+            other = self.ratio ** -self.rung[j]
+            if self.rung[j] <= self.rung[i]:
+                ways.append((length * (other - slowness), i, j, length))
+            elif (self.end[j] - self.start[j]) - (self.least - length) >= self.least:
+                ways.append(((self.least - length) * (slowness - other), i, j, length))
+        lower = any(self.rung[j] <= self.rung[i] for j in self._near(i))
+        return min(ways) if lower and ways else None
+
+    def go(self, i: int, j: int) -> list[int]:
+        """Cure step i with its neighbor j and return the steps to look at again."""
+        if self.rung[j] > self.rung[i]:
+            missing = self.least - (self.end[i] - self.start[i])
+            if j == self.after[i]:
+                self.end[i] = self.start[j] = self.end[i] + missing
+            else:
+                self.start[i] = self.end[j] = self.start[i] - missing
+            return [j, *self._near(j)]
+        self.rung[i] = self.rung[j]
+        for k in self._near(i):
+            if self.rung[k] == self.rung[i]:
+                self._absorb(i, k)
+        return [i, *self._near(i)]
+
+    def _absorb(self, i: int, k: int) -> None:
+        """Make neighbor k part of step i."""
+        self.alive[k] = False
+        if k == self.before[i]:
+            self.start[i], self.before[i] = self.start[k], self.before[k]
+            if self.before[i] >= 0:
+                self.after[self.before[i]] = i
+        else:
+            self.end[i], self.after[i] = self.end[k], self.after[k]
+            if self.after[i] >= 0:
+                self.before[self.after[i]] = i
+
+    def result(self) -> tuple[Floats, Rungs]:
+        """Return the step function."""
+        kept = sorted((i for i, is_alive in enumerate(self.alive) if is_alive), key=self._at)
+        edges = [self.start[i] for i in kept] + [self.end[kept[-1]]]
+        return np.array(edges), np.array([self.rung[i] for i in kept])
+
+    def _at(self, i: int) -> float:
+        """Return where step i begins."""
+        return self.start[i]
