@@ -47,8 +47,10 @@ class ClearedMap:
         self._level = level
         self._pieces, self._piece_of = self._label(len(fronts))
         self._inside = ndimage.binary_dilation(self.rasterize(region))
-        self.free = ndimage.binary_dilation(level == 0) & self._inside
         self._waiting, self._stroke_pieces = self._assign(strokes)
+        # a piece that needs no stroke holds no stock: the cutter reached over it
+        idle = self._waiting[self._pieces] == 0
+        self.free = ndimage.binary_dilation((level < len(fronts)) & idle) & self._inside
 
     def rasterize(self, polygon: Polygon) -> NDArray[np.bool_]:
         """Return which pixel centers are inside a polygon, by parity along the rows."""

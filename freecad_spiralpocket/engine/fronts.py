@@ -144,11 +144,32 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Region:
             holes.append(hole)
     moved = Polygon(shell, holes)
     if not moved.is_valid:
+        # where the moved ring crosses itself it leaves loops, which an opening removes
         least = float(engagement_step(np.array([1 / rules.fillet]), rules)[0])
-        moved = shapely.union(shapely.make_valid(moved), buffer(visited, least))
-    moved = smooth(moved, rules.closing, rules.fillet, omega)
-    moved = shapely.union(moved, visited)
+        loop = 0.25 * rules.cutter_radius
+        moved = buffer(buffer(shapely.make_valid(moved), -loop), loop)
+        moved = shapely.union(moved, buffer(visited, least))
+    for share in (1.0, 0.6, 0.35):
+        grown = smooth(moved, share * rules.closing, rules.fillet, omega)
+        if _is_reached(grown, visited, rules):
+            break
+    else:
+        grown = shapely.intersection(grown, buffer(visited, REACHED * rules.cutter_radius))
+    moved = shapely.union(grown, visited)
     return shapely.simplify(moved, 0.002)
+
+
+def _is_reached(moved: Region, visited: Polygon, rules: FrontRules) -> bool:
+    """Return whether the cutter, going round `visited`, cleared all that `moved` takes for cleared.
+
+    The closing fills gaps; one wider than the cutter reaches over would stay standing.
+    """
+    parts = shapely.get_parts(moved)
+    if shapely.get_num_interior_rings(parts).sum() < len(visited.interiors):
+        return False
+    shapely.prepare(visited)
+    points = shapely.points(shapely.get_coordinates(moved))
+    return bool(shapely.dwithin(visited, points, REACHED * rules.cutter_radius).all())
 
 
 def largest(shape: Region) -> Polygon:
@@ -158,7 +179,9 @@ def largest(shape: Region) -> Polygon:
 
 #: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
 #: much, over R: a step that jumps makes waves that grow from lap to lap.
-REACH, EVEN = 1.0, 0.9
+REACH, EVEN = 0.8, 0.6
+#: A front goes no farther than this beyond the last, over R: there the cutter reached over.
+REACHED = 0.92
 #: Growth ends when a step adds less than this share of the last stroke's area.
 STALLED = 0.02
 #: What is left beyond a neck is worth going through it if larger than this times R^2.

@@ -8,25 +8,32 @@ ground at depth; a lift is the last resort.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 import shapely
-from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
 from .linking import Motion, hermite_links, link_times
 from .model import Floats
+from .polyline import points_at
 from .routing import route
-from .spiral import chains_of, closed_line, spiral_through
-from .strokes import CHORD, Stroke
+from .spiral import chains_of, closed_line, gaps, spiral_through, zone_length, zones
+from .strokes import Stroke
 
 #: A stroke leans on strokes of lower levels within this many step-overs.
 LEANS = 1.25
-#: So many of the nearest ready runs are tried.
-TRIED = 6
+#: Strokes are compared in pieces of so many points.
+CHUNK = 24
+#: So many of the nearest ready runs are tried at a time.
+TRIED = 8
+#: To so many of the nearest a longer way round is sought where no plain link fits.
+ROUTED = 6
+#: A spiral goes on to the next lap where that is no farther than this over the step-over.
+WIDEST = 1.3
 #: Points of a link as it is cut.
 FINE = 97
 #: A link that may not leave the region may still do so by this much [mm].
@@ -39,15 +46,21 @@ class Run:
 
     Attributes
     ----------
-    points : ndarray of shape (n, 2)
     strokes : tuple of int
+    ways : tuple of Callable
+        Each returns the points of one way to cut it, shape (n, 2) [mm]: a spiral may be begun in
+        several places.
+    starts, headings : ndarray of shape (len(ways), 2)
+        Where each way begins, and the unit direction there.
     needs : frozenset of int
         Indices of the runs that must be done before.
     """
 
-    points: Floats
     strokes: tuple[int, ...]
-    needs: frozenset[int]
+    ways: tuple[Callable[[], Floats], ...]
+    starts: Floats
+    headings: Floats
+    needs: frozenset[int] = frozenset()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,13 +80,18 @@ class Step:
 
 def leanings(strokes: Sequence[Stroke], stepover: float) -> list[set[int]]:
     """Return for each stroke the strokes of lower levels that it leans on."""
-    lines = np.array([LineString(s.points) for s in strokes], dtype=object)
-    tree = shapely.STRtree(lines)
-    pairs = tree.query(lines, predicate="dwithin", distance=LEANS * stepover)
+    chunks, owner = [], []
+    for i, stroke in enumerate(strokes):
+        for k in range(0, len(stroke.points) - 1, CHUNK):
+            chunks.append(LineString(stroke.points[k : k + CHUNK + 1]))
+            owner.append(i)
+    lines = np.array(chunks, dtype=object)
+    pairs = shapely.STRtree(lines).query(lines, predicate="dwithin", distance=LEANS * stepover)
+    of = np.array(owner)[pairs]
+    levels = np.array([s.level for s in strokes])
     needs: list[set[int]] = [set() for _ in strokes]
-    for i, j in pairs.T.tolist():
-        if strokes[j].level < strokes[i].level:
-            needs[i].add(j)
+    for i, j in np.unique(of[:, levels[of[1]] < levels[of[0]]], axis=1).T.tolist():
+        needs[i].add(j)
     return needs
 
 
@@ -81,7 +99,6 @@ def runs_of(
     strokes: Sequence[Stroke],
     fronts: Sequence[Polygon],
     ring: LineString,
-    leave: float,
     radius: float,
     stepover: float,
 ) -> list[Run]:
@@ -92,53 +109,70 @@ def runs_of(
     strokes : sequence of Stroke
     fronts : sequence of shapely.Polygon
     ring : LineString
-        The entry's last lap, closed.
-    leave : float
-        Where the entry ends, along `ring` [mm].
+        The entry's last lap, closed, from where the entry ends.
     radius, stepover : float
         [mm]
     """
     needs = leanings(strokes, stepover)
-    groups: list[list[int]] = []
-    for chain in chains_of(strokes, len(fronts)):
-        groups.append([])
-        for i in chain:
-            if groups[-1] and not needs[i] <= set(groups[-1]):
-                groups.append([])
-            groups[-1].append(i)
-    chained = {i for group in groups for i in group}
-    groups += [[i] for i in range(len(strokes)) if i not in chained]
-    groups.sort(key=lambda group: group[0])
-    home = {i: g for g, group in enumerate(groups) for i in group}
-    runs = []
-    for g, group in enumerate(groups):
-        first = strokes[group[0]]
-        if first.closed:
-            if first.level == 1 and first.exterior:
-                source, at = ring, leave
-            else:
-                source, at = _source(fronts[first.level - 1], first, radius)
-            laps = [closed_line(strokes[i].points) for i in group]
-            points = spiral_through(source, at, laps, radius)
-        else:
-            points = first.points
-        before = frozenset(home[j] for i in group for j in needs[i]) - {g}
-        runs.append(Run(points, tuple(group), before))
-    return runs
+    runs = [_plain(s.points, i) for i, s in enumerate(strokes) if not s.closed]
+    for chain in chains_of(strokes):
+        while chain:
+            count, run = _spiral(chain, strokes, needs, fronts, ring, radius, stepover)
+            runs.append(run)
+            chain = chain[count:]
+    runs.sort(key=lambda run: run.strokes[0])
+    home = {i: r for r, run in enumerate(runs) for i in run.strokes}
+    return [
+        replace(run, needs=frozenset(home[j] for i in run.strokes for j in needs[i]) - {r})
+        for r, run in enumerate(runs)
+    ]
 
 
-def _source(before: Polygon, lap: Stroke, radius: float) -> tuple[LineString, float]:
-    """Return the old front that a closed lap without predecessor grows from, and where to leave.
+def _plain(points: Floats, stroke: int) -> Run:
+    heading = _unit(points[1] - points[0])
+    return Run((stroke,), (lambda: points,), points[:1], heading[None])
 
-    It is left where the step to the lap is least.
+
+def _spiral(
+    chain: list[int],
+    strokes: Sequence[Stroke],
+    needs: list[set[int]],
+    fronts: Sequence[Polygon],
+    ring: LineString,
+    radius: float,
+    stepover: float,
+) -> tuple[int, Run]:
+    """Return how many laps of a chain one spiral takes from its beginning, and the spiral.
+
+    It ends where a lap leans on something else, or is too far from the one before.
     """
-    rings = [before.exterior, *before.interiors]
-    edge = np.vstack([shapely.get_coordinates(shapely.segmentize(r, CHORD)) for r in rings])
-    steps, _ = cKDTree(edge).query(lap.points)
-    best = lap.points[int(np.argmin(steps))]
-    ring = min(rings, key=lambda r: r.distance(shapely.Point(best)))
-    line = LineString(shapely.get_coordinates(ring))
-    return line, (line.project(shapely.Point(best)) - 2 * radius) % line.length
+    first = strokes[chain[0]]
+    laps = [closed_line(strokes[i].points) for i in chain]
+    widest = WIDEST * stepover
+    if first.level == 1 and first.exterior:
+        source, at = ring, np.zeros(1)
+    else:
+        before = fronts[first.level - 1]
+        rings = [before.exterior, *before.interiors]
+        sides = [LineString(shapely.get_coordinates(r)) for r in rings]
+        source = min(sides, key=laps[0].distance)
+        at = zones(source, laps[0], radius, widest)
+    count, here, place = 1, source, float(at[0])
+    while count < len(chain) and needs[chain[count]] <= set(chain[:count]):
+        place = float(laps[count - 1].project(here.interpolate(place)))
+        here = laps[count - 1]
+        length = zone_length(here, laps[count], radius)
+        if gaps(here, laps[count], np.array([place]), length)[0] > widest:
+            break
+        count += 1
+    taken = laps[:count]
+    starts, ahead = points_at(source, at), points_at(source, (at + 0.2) % source.length)
+    return count, Run(
+        tuple(chain[:count]),
+        tuple(partial(spiral_through, source, float(a), taken, radius) for a in at),
+        starts,
+        np.array([_unit(v) for v in ahead - starts]),
+    )
 
 
 def order(
@@ -167,26 +201,27 @@ def order(
     """
     fence = shapely.buffer(omega, SLACK)
     shapely.prepare(fence)
-    starts = np.array([r.points[0] for r in runs])
-    headings = np.array([_unit(r.points[1] - r.points[0]) for r in runs])
+    starts = np.concatenate([r.starts for r in runs])
+    headings = np.concatenate([r.headings for r in runs])
+    ways = [(i, way) for i, run in enumerate(runs) for way in run.ways]
     waiting = [set(r.needs) for r in runs]
     open_runs = set(range(len(runs)))
     steps = []
     while open_runs:
-        ready = sorted(i for i in open_runs if not waiting[i])
-        near = np.argsort(np.hypot(*(starts[ready] - start).T), kind="stable")[:TRIED]
-        tried = [ready[i] for i in near]
-        link, chosen = _best_link(
-            start, heading, tried, starts, headings, cleared, fence, motion, radius
+        ready = [w for w, (i, _) in enumerate(ways) if i in open_runs and not waiting[i]]
+        near = np.argsort(np.hypot(*(starts[ready] - start).T), kind="stable")
+        link, taken = _next(
+            start, heading, [ready[i] for i in near], starts, headings, cleared, fence, motion, radius
         )
-        run = runs[chosen]
-        steps.append(Step(link, run.points))
+        chosen, way = ways[taken]
+        points = way()
+        steps.append(Step(link, points))
         open_runs.remove(chosen)
         for needs in waiting:
             needs.discard(chosen)
-        for stroke in run.strokes:
+        for stroke in runs[chosen].strokes:
             cleared.finish(stroke)
-        start, heading = run.points[-1], _unit(run.points[-1] - run.points[-2])
+        start, heading = points[-1], _unit(points[-1] - points[-2])
     return steps
 
 
@@ -194,10 +229,10 @@ def _unit(v: Floats) -> Floats:
     return v / (np.hypot(*v) + 1e-12)
 
 
-def _best_link(
+def _next(
     start: Floats,
     heading: Floats,
-    tried: list[int],
+    ready: list[int],
     starts: Floats,
     headings: Floats,
     cleared: ClearedMap,
@@ -205,25 +240,22 @@ def _best_link(
     motion: Motion,
     radius: float,
 ) -> tuple[Floats | None, int]:
-    """Return the fastest admissible link and the run that it leads to."""
-    gaps = np.hypot(*(starts[tried] - start).T)
-    for i, gap in zip(tried, gaps, strict=True):
-        if gap < 1e-6:
-            return np.empty((0, 2)), i
-    paths = hermite_links(start, heading, starts[tried], headings[tried], radius)
-    free = cleared.is_free(paths).all(axis=-1)
-    times = np.where(free, link_times(paths, motion), np.inf)
-    ranked = np.argsort(times, axis=None, kind="stable")
-    for flat in ranked[:40]:
-        m, h = np.unravel_index(flat, times.shape)
-        if not np.isfinite(times[m, h]):
-            break
-        i = tried[int(m)]
-        fine = hermite_links(start, heading, starts[[i]], headings[[i]], radius, FINE)[0, h]
-        if fence.covers(LineString(fine)):
-            return fine, i
-    for m, i in enumerate(tried):
+    """Return the fastest admissible link and the way that it leads to, `ready` nearest first."""
+    if np.hypot(*(starts[ready[0]] - start)) < 1e-6:
+        return np.empty((0, 2)), ready[0]
+    for first in range(0, len(ready), TRIED):
+        tried = ready[first : first + TRIED]
+        paths = hermite_links(start, heading, starts[tried], headings[tried], radius)
+        free = cleared.is_free(paths).all(axis=-1)
+        times = np.where(free, link_times(paths, motion), np.inf)
+        for flat in np.argsort(times, axis=None, kind="stable")[: free.sum()][:40]:
+            m, h = np.unravel_index(flat, times.shape)
+            i = tried[int(m)]
+            fine = hermite_links(start, heading, starts[[i]], headings[[i]], radius, FINE)[0, h]
+            if fence.covers(LineString(fine)):
+                return fine, i
+    for i in ready[:ROUTED]:
         found = route(start, heading, starts[i], headings[i], cleared, fence, radius)
         if found is not None:
-            return found, tried[m]
-    return None, tried[0]
+            return found, i
+    return None, ready[0]

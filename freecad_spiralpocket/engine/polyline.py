@@ -10,6 +10,13 @@ from shapely import LineString, Point, Polygon
 from .model import Floats
 
 
+def points_at(line: LineString, at: Floats) -> Floats:
+    """Return the points at distances along a line, shape (..., 2) [mm]; O(log n) for each."""
+    coords = shapely.get_coordinates(line)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
+    return np.stack([np.interp(at, along, coords[:, i]) for i in (0, 1)], axis=-1)
+
+
 def ring_from(ring: Floats, place: Floats, toward: tuple[float, float] | None = None) -> Floats:
     """Return a closed ring that begins at the point of it nearest to `place`.
 

@@ -13,14 +13,18 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
-from shapely import LineString
+from scipy.spatial import cKDTree
+from shapely import LineString, Polygon
 
 from .model import Floats
+from .polyline import points_at
 from .strokes import CHORD, Stroke
 
 #: Length of the zone over which a lap becomes the next, over R: the way across adds its angle to
 #: the engagement.
 BLEND = 7.0
+#: Places to leave a lap that are looked at.
+ZONES = 8
 #: Share of the zone over which that angle builds up, and dies away.
 EASE = 0.2
 
@@ -60,10 +64,37 @@ def blend(lap: LineString, start: float, target: LineString, length: float) -> F
     """Return the way from `lap` at `start` onto `target`, over `length` [mm]."""
     count = max(4, int(np.ceil(length / CHORD)))
     u = np.linspace(0.0, 1.0, count + 1)
-    source = shapely.line_interpolate_point(lap, (start + u * length) % lap.length)
-    onto = shapely.line_interpolate_point(target, shapely.line_locate_point(target, source))
+    source = points_at(lap, (start + u * length) % lap.length)
+    onto = points_at(target, shapely.line_locate_point(target, shapely.points(source)))
     s = eased(u)[:, None]
-    return (1 - s) * shapely.get_coordinates(source) + s * shapely.get_coordinates(onto)
+    return (1 - s) * source + s * onto
+
+
+def zone_length(lap: LineString, target: LineString, radius: float) -> float:
+    """Return the length of the zone between two laps [mm]."""
+    return min(BLEND * radius, 0.4 * lap.length, 0.4 * target.length)
+
+
+def gaps(lap: LineString, target: LineString, starts: Floats, length: float) -> Floats:
+    """Return the widest gap to `target` in the zone of `length` that begins at each of `starts`."""
+    at = (starts[:, None] + np.linspace(0.0, length, 7)) % lap.length
+    points = points_at(lap, at.ravel())
+    tree = cKDTree(shapely.get_coordinates(shapely.segmentize(target, CHORD)))
+    return tree.query(points)[0].reshape(at.shape).max(axis=1)
+
+
+def zones(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
+    """Return places along `lap` where it may be left for `target`, at most `ZONES`, [mm].
+
+    Spread over those where the gap through the zone is at most `widest`; the one of the least gap
+    where there is none.
+    """
+    starts = np.linspace(0.0, lap.length, max(12, int(lap.length / radius)), endpoint=False)
+    widths = np.round(gaps(lap, target, starts, zone_length(lap, target, radius)), 3)
+    good = np.flatnonzero(widths <= widest)
+    if len(good) == 0:
+        return starts[[int(np.argmin(widths))]]
+    return starts[good[np.unique(np.linspace(0, len(good) - 1, ZONES).astype(int))]]
 
 
 def spiral_through(first: LineString, start: float, laps: Sequence[LineString], radius: float) -> Floats:
@@ -85,7 +116,7 @@ def spiral_through(first: LineString, start: float, laps: Sequence[LineString], 
     pieces = []
     here, at = first, start
     for i, lap in enumerate(laps):
-        length = min(BLEND * radius, 0.4 * here.length, 0.4 * lap.length)
+        length = zone_length(here, lap, radius)
         way = blend(here, at, lap, length)
         pieces.append(way)
         landed = lap.project(shapely.Point(way[-1]))
@@ -99,19 +130,26 @@ def spiral_through(first: LineString, start: float, laps: Sequence[LineString], 
     return np.vstack(pieces)
 
 
-def chains_of(strokes: Sequence[Stroke], n_levels: int) -> list[list[int]]:
-    """Return runs of closed outer laps at successive levels, as indices of strokes.
+def chains_of(strokes: Sequence[Stroke]) -> list[list[int]]:
+    """Return runs of closed laps at successive levels, each beside the one before, as indices.
 
     The visited region is one piece, so that each level has one outer boundary: a closed outer
-    lap follows the one of the level before.
+    lap follows the one of the level before. An inner lap, about stock that the fronts surround,
+    follows the one that it lies in.
     """
-    outer = {s.level: i for i, s in enumerate(strokes) if s.closed and s.exterior}
     chains: list[list[int]] = []
-    for level in range(1, n_levels):
-        if level not in outer:
-            continue
-        if level - 1 in outer and chains:
-            chains[-1].append(outer[level])
+    for i in sorted((i for i, s in enumerate(strokes) if s.closed), key=lambda i: strokes[i].level):
+        for chain in chains:
+            if _follows(strokes[i], strokes[chain[-1]]):
+                chain.append(i)
+                break
         else:
-            chains.append([outer[level]])
+            chains.append([i])
     return chains
+
+
+def _follows(lap: Stroke, before: Stroke) -> bool:
+    """Return whether a closed lap is the next one after another."""
+    if lap.level != before.level + 1 or lap.exterior != before.exterior:
+        return False
+    return lap.exterior or Polygon(before.points).contains(shapely.Point(lap.points[0]))

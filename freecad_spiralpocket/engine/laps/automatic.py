@@ -26,8 +26,14 @@ from ..starts import Start, candidates, slot_bite
 from ..strokes import Stroke, strokes_of
 from ..toolpath import Role
 
-#: Least radius of reentrant curves, and radius with which fronts meet walls, over R.
-CLOSING, FILLET = 1.33, 1.4
+#: Least radius of reentrant curves, over R.
+CLOSING = 1.33
+#: Radius with which fronts meet walls, over the step-over.
+FILLET = 1.75
+#: Links avoid tighter bends than this, over R.
+LEAST_RADIUS = 0.25
+#: A start is hopeless whose farthest wall is farther than this over the nearest one's.
+HOPELESS = 2.2
 #: Raster pixels across the cutter.
 PIXELS = 24
 
@@ -49,7 +55,7 @@ def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
     region = oriented(shapely.simplify(region, 0.001))
     motion = motion_of(request)
     best, least = None, math.inf
-    for start in candidates(region, request):
+    for start in promising(candidates(region, request), region):
         steps = _steps(start, region, request, motion)
         seconds = _seconds(start, steps, request, motion)
         if seconds < least:
@@ -59,12 +65,26 @@ def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
     return FloorPath(start.entry, _passes(steps, request))
 
 
+def promising(starts: list[Start], region: Polygon) -> list[Start]:
+    """Return the starts from which the farthest wall is not hopelessly far.
+
+    Fronts from elsewhere would need so many more levels, each with its strokes and links, that
+    simulating them is not worth the time.
+    """
+    walls = shapely.points(
+        np.vstack([shapely.get_coordinates(r.segmentize(2.0)) for r in (region.exterior, *region.interiors)])
+    )
+    far = np.array([shapely.distance(walls, s.visited.exterior).max() for s in starts])
+    return [s for s, d in zip(starts, far, strict=True) if d <= HOPELESS * far.min() + 1e-9]
+
+
 def motion_of(request: PocketRequest) -> Motion:
     """Return what limits the motion between cuts on the request's machine."""
     machine = request.machine or MIDDLING
     link = min(request.feeds.horizontal_rapid, machine.flat_speed)
     cut = min(request.feeds.horizontal, machine.flat_speed)
-    return Motion(min(machine.acceleration[:2]), link, cut)
+    least_radius = LEAST_RADIUS * request.cutter_radius
+    return Motion(min(machine.acceleration[:2]), link, cut, least_radius)
 
 
 def _steps(
@@ -72,20 +92,26 @@ def _steps(
 ) -> list[Step]:
     """Return the cutting runs and links that follow an entry."""
     radius = request.cutter_radius
-    rules = FrontRules(radius, request.engagement_limit, CLOSING * radius, FILLET * radius)
+    rules = FrontRules(
+        radius, request.engagement_limit, CLOSING * radius, FILLET * request.cutting.stepover
+    )
     fronts = grow(start.visited, start.omega, rules)
-    strokes = strokes_of(fronts) + _mouths(start, region)
+    strokes = strokes_of(fronts)
+    strokes += _mouths(start, region, len(fronts))
     if not strokes:
         return []
     cleared = ClearedMap(fronts, strokes, region, request.tool_diameter / PIXELS)
-    runs = runs_of(strokes, fronts, start.ring, 0.0, radius, rules.stepover)
+    runs = runs_of(strokes, fronts, start.ring, radius, rules.stepover)
     here, ahead = shapely.get_coordinates(start.ring)[:2]
     heading = (ahead - here) / np.hypot(*(ahead - here))
     return order(runs, cleared, region, here, heading, motion, radius)
 
 
-def _mouths(start: Start, region: Polygon) -> list[Stroke]:
-    """Return the strokes along ringed islands where bridges meet them."""
+def _mouths(start: Start, region: Polygon, level: int) -> list[Stroke]:
+    """Return the strokes along ringed islands where bridges meet them.
+
+    They lean on all laps around them, which make the room to reach them: `level` is the last.
+    """
     if len(start.omega.interiors) == len(region.interiors):
         return []
     ring = shapely.buffer(start.ring, 0.05)
@@ -95,7 +121,7 @@ def _mouths(start: Start, region: Polygon) -> list[Stroke]:
             rest = shapely.difference(LineString(wall.coords), ring)
             for part in shapely.get_parts(shapely.line_merge(rest)):
                 if part.length > 0.1:
-                    strokes.append(Stroke(shapely.get_coordinates(part), 1, False, False))
+                    strokes.append(Stroke(shapely.get_coordinates(part), level, False, False))
     return strokes
 
 
