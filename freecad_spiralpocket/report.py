@@ -206,6 +206,14 @@ def _from_document(path: Path, label: str | None) -> _Source:
             "Post the program and give that file instead.",
         ) from error
     document = FreeCAD.openDocument(str(path.resolve()), True)
+    try:
+        return _from_operation(_find_operation(document, label))
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def _find_operation(document: Any, label: str | None) -> Any:
+    """Return the operation of a document that is called `label`, or the first one."""
     operations = [
         o
         for o in document.Objects
@@ -214,8 +222,12 @@ def _from_document(path: Path, label: str | None) -> _Source:
     if label is not None:
         operations = [o for o in operations if label in (o.Label, o.Name)]
     if not operations:
-        raise RequestError(f"{path.name} holds no such operation.", "Name one with --operation.")
-    op = operations[0]
+        raise RequestError("The document holds no such operation.", "Name one with --operation.")
+    return operations[0]
+
+
+def _from_operation(op: Any) -> _Source:
+    """Return what an operation says."""
     lines = []
     for command in op.Path.Commands:
         # FreeCAD's feeds are mm/s, those of programs mm/min
