@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import FreeCADGui
-from PySide import QtCore, QtGui
 
 from .compat import PathOpGui, has_tool_controller_editor
 from .fields import Check, Choice, Field, Percent, Quantity
@@ -74,9 +73,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
         """Show all properties."""
         self.setupToolController(obj, self.form.toolController)
         self.setupCoolant(obj, self.form.coolantController)
-        for field in self.fields:
-            field.show()
-        self.show_result()
+        self.show_outcome()
 
     def updateData(self, obj: Any, prop: str) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show a property that was changed elsewhere, not while it is being typed here."""
@@ -85,15 +82,9 @@ class OperationPage(PathOpGui.TaskPanelPage):
                 if field.name == prop:
                     field.show()
 
-    def show_result(self) -> None:
-        """Show what the last recompute brought."""
+    def show_outcome(self) -> None:
+        """Show what the last recompute brought: results, and values from expressions."""
+        for field in self.fields:
+            field.show()
         self.form.result.setText(result_text(self.obj))
         self.form.result.setEnabled(True)
-
-    def reveal_result(self) -> None:
-        """Scroll to the result, which a low window hides."""
-        parent = self.form.parentWidget()
-        while parent is not None and not isinstance(parent, QtGui.QScrollArea):
-            parent = parent.parentWidget()
-        if parent is not None:
-            QtCore.QTimer.singleShot(0, lambda: parent.ensureWidgetVisible(self.form.resultFrame))

@@ -8,13 +8,12 @@ from html import escape
 from typing import Any
 
 import FreeCAD
-from FreeCAD import Units
 
 translate = FreeCAD.Qt.translate
 
 
 def result_text(obj: Any) -> str:
-    """Return time, length, engagement, what was left or gouged, and the notices, as rich text.
+    """Return time, length, engagement, uncut area, gouge and notices as rich text.
 
     Without a path it is the reason, or what to do.
     """
@@ -25,14 +24,25 @@ def result_text(obj: Any) -> str:
         translate("SpiralPocket", "Time {}, cutting length {}").format(
             duration(obj.MachiningTime), obj.PathLength.UserString
         ),
-        translate("SpiralPocket", "Largest engagement {:.0f}° of {:.0f}°").format(
+        translate("SpiralPocket", "Largest engagement {:.0f}°, {:.0f}° on a straight cut").format(
             obj.LargestEngagement.Value, engagement_limit(obj)
         ),
         translate("SpiralPocket", "Uncut {}, gouge {}").format(
-            Units.Quantity(obj.UncutArea, Units.Area).UserString, obj.Gouge.UserString
+            small(obj.UncutArea, power=2), small(obj.Gouge.Value)
         ),
     ]
     return "<br>".join([*map(escape, lines), *(f"<b>{escape(n)}</b>" for n in obj.Notices)])
+
+
+def small(value: float, power: int = 1) -> str:
+    """Return a length [mm] or, with power 2, an area in the unit the user has for a part's size.
+
+    FreeCAD's own text would turn a gouge of nothing but rounding into nanometers.
+    """
+    _, factor, unit = FreeCAD.Units.Quantity(10.0, FreeCAD.Units.Length).getUserPreferred()
+    digits = 3 if factor < 20 else 4
+    unit = "in" if unit == '"' else unit
+    return f"{value / factor**power:.{digits}f} {unit}{'²' if power == 2 else ''}"
 
 
 def engagement_limit(obj: Any) -> float:
@@ -41,8 +51,10 @@ def engagement_limit(obj: Any) -> float:
 
 
 def duration(seconds: float) -> str:
-    """Return e.g. ``1 h 02 min``, ``3 min 05 s``, ``12 s``."""
+    """Return e.g. ``1 h 02 min``, ``3 min 05 s``, ``12 s``; unknown for 0."""
     whole = round(seconds)
+    if not seconds:
+        return translate("SpiralPocket", "unknown")
     if whole >= 3600:
         return f"{whole // 3600} h {whole // 60 % 60:02d} min"
     if whole >= 60:

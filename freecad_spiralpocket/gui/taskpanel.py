@@ -68,7 +68,6 @@ class TaskPanel(PathOpGui.TaskPanel):
         """Compute when Apply was pressed; OK and Cancel have methods of their own."""
         if button == QtGui.QDialogButtonBox.Apply:
             self.compute()
-            self.operation_page.reveal_result()
 
     def compute(self) -> bool:
         """Take the values over and make the path; return whether there is one.
@@ -78,7 +77,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.panelGetFields()
         self.document.recompute()
         self.setClean()
-        self.operation_page.show_result()
+        self.operation_page.show_outcome()
         errors = self.obj.Proxy.errors or self._unexpected_errors()
         shown = [e for e in errors if not isinstance(e, CancelledError)]
         if shown:

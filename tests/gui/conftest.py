@@ -18,6 +18,9 @@ else:
 
 DEPTH = 6.0
 
+#: What 0.20 says whenever it opens a document with a job of its own.
+HARMLESS = "setAttr failed"
+
 
 @pytest.fixture(scope="session", autouse=True)
 def workbench():
@@ -38,7 +41,7 @@ def no_exceptions():
     pump()
     sys.excepthook = hook
     assert not raised, "".join(traceback.format_exception(*raised[0]))
-    news = report_view()[before:]
+    news = "\n".join(n for n in report_view()[before:].splitlines() if HARMLESS not in n)
     assert "Traceback" not in news and "<class '" not in news, news
 
 
@@ -64,6 +67,7 @@ def add_job(document, solid, diameter, feed=1500.0):
     job = PathJobGui.Create([part], None, False)
     tool_controller = job.Tools.Group[0]
     tool_controller.Tool.Diameter = diameter
+    tool_controller.Label = f"TC: {diameter:g} mm end mill"
     tool_controller.HorizFeed = feed / 60
     tool_controller.VertFeed = feed / 240
     tool_controller.HorizRapid = tool_controller.VertRapid = 5000 / 60

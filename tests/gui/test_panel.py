@@ -3,8 +3,7 @@
 
 import FreeCAD
 import pytest
-from PySide import QtGui
-from window import APPLY, CANCEL, find, press, press_toolbar_button, pump, select, widget
+from window import APPLY, CANCEL, panel, press, press_toolbar_button, pump, select, widget
 
 from freecad_spiralpocket.gui.fields import Check, Choice, Percent, Quantity
 from freecad_spiralpocket.gui.panel import FIELDS
@@ -102,17 +101,16 @@ def test_field_shows_what_was_changed_elsewhere(operation):
     assert widget("stockToLeave").property("rawValue") == pytest.approx(0.4)
 
 
-def test_expression_survives_apply(operation):
+def test_expression_is_evaluated_and_kept(operation):
     operation.setExpression("StockToLeave", "0.1 mm * 3")
-    operation.Document.recompute()
-    assert widget("stockToLeave").property("rawValue") == pytest.approx(0.3)
     press(APPLY)
+    assert widget("stockToLeave").property("rawValue") == pytest.approx(0.3)
     assert operation.StockToLeave.Value == pytest.approx(0.3)
-    assert ("StockToLeave", "0.1 mm * 3") in operation.ExpressionEngine
+    assert "StockToLeave" in dict(operation.ExpressionEngine)
 
 
 def test_freecads_own_pages_keep_their_titles(operation):
-    box = next(b for b in find(QtGui.QToolBox))
+    box = panel().form
     titles = [box.itemText(i) for i in range(box.count())]
     assert titles == ["Base Geometry", "Depths", "Heights", "Operation"]
     assert box.windowTitle() == "Spiral Pocket"
@@ -129,7 +127,7 @@ def test_result_is_shown_after_apply_and_greyed_when_out_of_date(operation):
     assert "Apply" in widget("result").text()
     press(APPLY)
     text = widget("result").text()
-    assert all(word in text for word in ("Time", "engagement", "Uncut", "gouge"))
+    assert all(word in text for word in ("Time", " s,", "engagement", "mm², gouge 0.000 mm"))
     assert widget("result").isEnabled()
     widget("stepOverPercent").setValue(35)
     assert not widget("result").isEnabled()
@@ -141,4 +139,4 @@ def test_tool_can_be_changed_in_the_panel(operation):
         pytest.skip("this FreeCAD has no tool controller editor in the panel")
     editor.setChecked(True)
     pump(0.3)
-    assert find(QtGui.QWidget, "tcOperationCountLabel")
+    assert panel().operation_page.tcEditor.controller.isVisible()

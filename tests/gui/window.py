@@ -45,11 +45,6 @@ def main_window():
     return FreeCADGui.getMainWindow()
 
 
-def find(kind, name=""):
-    """Return the visible widgets of the main window of `kind` and with object name `name`."""
-    return [w for w in main_window().findChildren(kind, name) if w.isVisible()]
-
-
 def action(widget):
     """Return the command's action in a toolbar or menu, or None."""
     return next((a for a in widget.actions() if a.objectName() == COMMAND), None)
@@ -89,15 +84,28 @@ def is_panel_open():
     return bool(FreeCADGui.Control.activeDialog())
 
 
+def panel():
+    """Return the operation's open panel.
+
+    Reached through the operation: a search through the window's widgets would wake Qt 5's
+    memory of those that are gone.
+    """
+    proxies = [
+        o.ViewObject.Proxy
+        for document in FreeCAD.listDocuments().values()
+        for o in document.findObjects("Path::Feature")
+    ]
+    return next(p.panel for p in proxies if getattr(p, "panel", None) is not None)
+
+
 def widget(name):
     """Return the widget of that name in the open panel's own page."""
-    return find(QtGui.QWidget, "SpiralPocketPanel")[0].findChild(QtGui.QWidget, name)
+    return getattr(panel().operation_page.form, name)
 
 
 def panel_button(which):
     """Return the panel's button OK, APPLY or CANCEL."""
-    buttons = [box.button(which) for box in find(QtGui.QDialogButtonBox)]
-    return next(b for b in buttons if b is not None and b.isVisible())
+    return panel().buttonBox.button(which)
 
 
 def press(which):
