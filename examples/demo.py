@@ -33,14 +33,14 @@ def make_job(document):
     controller = job.Tools.Group[0]
     compat.set_end_mill(controller, DIAMETER)
     controller.HorizFeed, controller.VertFeed = FEED / 60, PLUNGE / 60
-    controller.HorizRapid = controller.VertRapid = RAPID / 60
+    job.SetupSheet.HorizRapid = job.SetupSheet.VertRapid = RAPID / 60
     controller.SpindleSpeed = SPINDLE
     document.recompute()
     return job
 
 
 def main(folder):
-    """Machine the rib and write everything into `folder`."""
+    """Machine the rib, write everything into `folder`, and return the operation."""
     folder.mkdir(parents=True, exist_ok=True)
     document = FreeCAD.newDocument("Rib")
     job = make_job(document)
@@ -57,6 +57,7 @@ def main(folder):
     print(f"\n{len(op.Proxy.plans)} pockets of the rib, {DIAMETER:g} mm end mill")
     print("\n".join(results.summary(op)))
     print("\n".join(f"wrote {folder / name}" for name in written))
+    return op
 
 
 if __name__ == "__main__":

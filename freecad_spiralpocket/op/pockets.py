@@ -18,6 +18,8 @@ from . import commands, geometry, request, selection
 #: Share of the operation's tolerance that goes into the chords of curved walls; the rest is
 #: for the path.
 SAG_SHARE = 0.2
+#: Limits of the sag [mm]: a tolerance of 0 is refused later, a wide one must not lose arcs.
+SAG_RANGE = (1e-4, 0.02)
 
 
 class Pockets:
@@ -100,9 +102,8 @@ class Pockets:
 
     def _plan_one(self, model: Any, name: str, progress: Progress | None) -> None:
         floor = selection.floor(model, name)
-        outline = geometry.polygon(
-            floor, self._obj.Tolerance.Value * SAG_SHARE, use_outline=self._obj.UseOutline
-        )
+        sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
+        outline = geometry.polygon(floor, sag, use_outline=self._obj.UseOutline)
         depth = request.final_depth(self._obj, floor.z, self._deepest)
         plan = self._planned(request.build(self._obj, outline, depth), progress)
         self.plans.append(plan)

@@ -16,10 +16,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ..engine.model import CutMode, Strategy
+from .. import machines
+from ..engine.model import CutMode, FeedMode, Strategy
 
 #: Version of the table that this release writes into documents.
 SCHEMA_VERSION = 1
+#: The presets of resources/machines, the first as the default.
+MACHINES = tuple(sorted(machines.names(), key=lambda name: name != "hobby_router"))
 
 OPTIONS, RESULT = "Spiral Pocket", "Result"
 _EDITABLE, _READ_ONLY, _HIDDEN = 0, 1, 2
@@ -106,6 +109,42 @@ TABLE = (
         0.0,
     ),
     _option("Tolerance", "Length", "Largest deviation of the path from the exact curve", 0.01),
+    _choice(
+        "Machine",
+        "The machine on which the time is to be least",
+        MACHINES,
+    ),
+    _choice(
+        "FeedMode",
+        "How the feed follows the engagement: slowed where it passes the limit, slowed linearly "
+        "with the chip, or raised where the chip is thin",
+        tuple(m.value for m in FeedMode),
+    ),
+    _option(
+        "SlowdownPercent",
+        "Percent",
+        "Feed at the largest radial depth of cut, in percent (Linear slow-down)",
+        75,
+    ),
+    _option(
+        "MaxFeedRatio",
+        "Float",
+        "Largest feed where the chip is thin, as a multiple of the tool controller's (Chip "
+        "thickness)",
+        2.0,
+    ),
+    _option(
+        "LinkFeed",
+        "Float",
+        "Feed of moves at depth through cleared ground in mm/min, 0 for the horizontal rapid rate",
+        0.0,
+    ),
+    _option(
+        "SlotBite",
+        "Length",
+        "Largest axial depth of one level of a slot that opens the pocket, 0 for automatic",
+        0.0,
+    ),
     _option("FinishingProfile", "Bool", "To take a finishing lap along the walls at the end", True),
     _option("UseOutline", "Bool", "Ignore islands and clear everything inside the outline", False),
     _result(

@@ -12,7 +12,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..engine.model import CutMode, Cutting, Entry, Feeds, Heights, PocketRequest, Strategy
+from .. import machines
+from ..engine.model import (
+    CutMode,
+    Cutting,
+    Entry,
+    FeedMode,
+    FeedPlan,
+    Feeds,
+    Heights,
+    PocketRequest,
+    Strategy,
+)
 from .selection import SAME_HEIGHT
 
 if TYPE_CHECKING:
@@ -75,7 +86,15 @@ def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
         entry=Entry(
             helix_angle=float(np.radians(obj.HelixAngle.Value)),
             max_diameter=obj.HelixDiameterLimit.Value,
+            slot_bite=obj.SlotBite.Value,
         ),
         strategy=Strategy(obj.Strategy),
         tolerance=obj.Tolerance.Value,
+        feed_plan=FeedPlan(
+            mode=FeedMode(obj.FeedMode),
+            slowed=obj.SlowdownPercent / 100,
+            largest_ratio=obj.MaxFeedRatio,
+            link_feed=obj.LinkFeed / 60,
+        ),
+        machine=machines.load(obj.Machine),
     )

@@ -10,7 +10,8 @@ from FreeCAD import Vector
 from freecad_spiralpocket.op.compat import PathJob
 
 DEPTH = 6.0  # mm below Z0, where the tops of all parts are
-UP = Vector(0, 0, 1)
+#: The strategy that is done soonest, for tests to which it does not matter.
+QUICK = {"Strategy": "Linear Morph"}
 
 
 def rectangle(width, height, radius=0.0, x=0.0, y=0.0):
@@ -111,7 +112,9 @@ def set_feeds(tool_controller, feed):
     """Set all speeds of a tool controller from its horizontal feed [mm/min]."""
     tool_controller.HorizFeed = feed / 60
     tool_controller.VertFeed = feed / 4 / 60
-    tool_controller.HorizRapid = tool_controller.VertRapid = 5000 / 60
+    for name in ("HorizRapid", "VertRapid"):
+        tool_controller.setExpression(name, None)  # else the setup sheet's rates come back
+        setattr(tool_controller, name, 5000 / 60)
 
 
 def small_job(doc, diameter=6.0):

@@ -5,6 +5,7 @@ import FreeCAD
 import pytest
 from sample_parts import (
     DEPTH,
+    QUICK,
     add_job,
     add_part,
     area,
@@ -36,8 +37,8 @@ def add_mill(job, diameter):
 
 def test_the_original_part_and_the_jobs_copy_mean_the_same(doc):
     job, part, face = small_job(doc)
-    first = api.add_spiral_pocket(job, [(part, [face])])
-    second = api.add_spiral_pocket(job, [(job.Model.Group[0], face)])
+    first = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    second = api.add_spiral_pocket(job, [(job.Model.Group[0], face)], **QUICK)
     assert first.Base[0][0] is second.Base[0][0] is job.Model.Group[0]
     assert gcode(first) == gcode(second)
 
@@ -54,6 +55,7 @@ def test_values_are_numbers_or_texts_with_units(doc):
         FinishingProfile=False,
         CutMode="Conventional",
         Comment="second side",
+        **QUICK,
     )
     assert (made.StepOver, made.CutMode, made.FinishingProfile) == (30, "Conventional", False)
     assert made.StockToLeave.Value == pytest.approx(0.3)
@@ -64,7 +66,7 @@ def test_values_are_numbers_or_texts_with_units(doc):
 
 def test_depths_replace_their_expressions(doc):
     job, part, face = small_job(doc)
-    made = api.add_spiral_pocket(job, [(part, [face])], FinalDepth="-4 mm", StepDown=2)
+    made = api.add_spiral_pocket(job, [(part, [face])], FinalDepth="-4 mm", StepDown=2, **QUICK)
     assert "FinalDepth" not in dict(made.ExpressionEngine)
     assert "StartDepth" in dict(made.ExpressionEngine)
     cuts = {round(c.z, 3) for c in motion(made) if c.Name == "G1"}
@@ -76,23 +78,23 @@ def test_depths_replace_their_expressions(doc):
 def test_the_first_operation_of_a_job_with_several_tool_controllers(doc):
     job, part, face = small_job(doc)
     wide = add_mill(job, 8)
-    chosen = api.add_spiral_pocket(job, [(part, [face])], tool_controller=wide)
+    chosen = api.add_spiral_pocket(job, [(part, [face])], tool_controller=wide, **QUICK)
     assert chosen.ToolController is wide and chosen.OpToolDiameter.Value == 8
-    follows = api.add_spiral_pocket(job, [(part, [face])])
+    follows = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
     assert follows.ToolController is wide, "that of the last operation"
 
 
 def test_without_a_word_the_first_tool_controller_is_used(doc):
     job, part, face = small_job(doc)
     add_mill(job, 8)
-    assert api.add_spiral_pocket(job, [(part, [face])]).OpToolDiameter.Value == 6
+    assert api.add_spiral_pocket(job, [(part, [face])], **QUICK).OpToolDiameter.Value == 6
 
 
 def test_a_job_in_a_document_that_is_not_active(doc):
     job, part, face = small_job(doc)
     other = FreeCAD.newDocument("Other")
     try:
-        made = api.add_spiral_pocket(job, [(part, [face])])
+        made = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
         assert made.Document is doc and made in job.Operations.Group
         assert FreeCAD.ActiveDocument is other and not other.Objects
     finally:
@@ -102,7 +104,7 @@ def test_a_job_in_a_document_that_is_not_active(doc):
 def test_two_jobs_in_one_document(doc):
     job, part, face = small_job(doc)
     second = add_job(doc, part, diameter=5)
-    made = api.add_spiral_pocket(second, [(part, [face])])
+    made = api.add_spiral_pocket(second, [(part, [face])], **QUICK)
     assert made in second.Operations.Group and made not in job.Operations.Group
 
 
@@ -114,7 +116,7 @@ def test_several_parts_and_faces_are_cut_in_the_order_given(doc):
     made = api.add_spiral_pocket(
         job,
         [(right, faces_at(right.Shape, -DEPTH)), (left, list(reversed(names)))],
-        Strategy="Linear Morph",
+        **QUICK,
     )
     centers = [plan.request.pocket.centroid.x for plan in made.Proxy.plans]
     assert centers == pytest.approx([80, 28, 0], abs=0.1)
@@ -129,7 +131,7 @@ def test_inactive_from_the_start(doc):
 @pytest.mark.parametrize("post", ["linuxcnc", "grbl"])
 def test_export_writes_and_returns_the_program(doc, tmp_path, post):
     job, part, face = small_job(doc)
-    made = api.add_spiral_pocket(job, [(part, [face])])
+    made = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
     before = snapshot(doc)
     path = tmp_path / "part.nc"
     text = api.export(job, path, post, args="--no-comments --precision=4")
@@ -142,7 +144,7 @@ def test_export_writes_and_returns_the_program(doc, tmp_path, post):
 @pytest.mark.parametrize("post", ["nonsense", "os; import sys", ""])
 def test_an_unknown_post_is_refused(doc, tmp_path, post):
     job, part, face = small_job(doc)
-    api.add_spiral_pocket(job, [(part, [face])])
+    api.add_spiral_pocket(job, [(part, [face])], **QUICK)
     with pytest.raises(SetupError, match="no post-processor"):
         api.export(job, tmp_path / "part.nc", post)
     assert not (tmp_path / "part.nc").exists()
@@ -150,6 +152,6 @@ def test_an_unknown_post_is_refused(doc, tmp_path, post):
 
 def test_a_file_that_cannot_be_written_is_named(doc, tmp_path):
     job, part, face = small_job(doc)
-    api.add_spiral_pocket(job, [(part, [face])])
+    api.add_spiral_pocket(job, [(part, [face])], **QUICK)
     with pytest.raises(SetupError, match=r"Cannot write .*part\.nc"):
         api.export(job, tmp_path / "missing" / "part.nc")

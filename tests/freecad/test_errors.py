@@ -7,6 +7,7 @@ import Part
 import pytest
 from sample_parts import (
     DEPTH,
+    QUICK,
     add_job,
     add_part,
     area,
@@ -42,7 +43,7 @@ def setting(doc):
 def op(setting):
     """Return an operation with a path."""
     job, part, face = setting
-    return api.add_spiral_pocket(job, [(part, [face])])
+    return api.add_spiral_pocket(job, [(part, [face])], **QUICK)
 
 
 def refused(job, base, error, words, **values):
@@ -114,6 +115,22 @@ def test_a_step_over_that_cannot_be(setting, stepover):
     refused(job, [(part, [face])], RequestError, f"step-over of {stepover}", StepOver=stepover)
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "words"),
+    [
+        ("Tolerance", 0, "tolerance"),
+        ("StepDown", 0, "step down"),
+        ("HelixAngle", 0, "helix angle"),
+        ("FinishDepth", 50, "finish depth"),
+        ("SafeHeight", -1, "heights"),
+        ("ZStockToLeave", 9, "nothing is left to cut"),
+    ],
+)
+def test_a_value_that_makes_no_sense(setting, name, value, words):
+    job, part, face = setting
+    refused(job, [(part, [face])], RequestError, words, **{name: value})
+
+
 def test_step_over_zero_in_the_panel(op):
     op.StepOver = 0
     failed(op, RequestError, "step-over of 0")
@@ -182,7 +199,7 @@ def test_one_bad_pocket_does_not_spoil_the_others(doc):
     part = add_part(doc, block(area(circle(8)), area(circle(2, 20, 0)), area(circle(8, 40, 0))))
     job = add_job(doc, part)
     faces = faces_at(part.Shape, -DEPTH)
-    made = api.add_spiral_pocket(job, [(part, [*faces, faces_at(part.Shape, 0)[0]])])
+    made = api.add_spiral_pocket(job, [(part, [*faces, faces_at(part.Shape, 0)[0]])], **QUICK)
     assert len(made.Proxy.plans) == 2
     assert {round(c.x / 20) for c in motion(made) if c.Name == "G1"} == {0, 2}
     small, top = made.Notices[:2]

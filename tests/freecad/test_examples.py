@@ -4,9 +4,11 @@
 import importlib.util
 from pathlib import Path
 
+import FreeCAD
 import Part
 import pytest
 from sample_parts import add_part
+from sample_programs import write
 
 from freecad_spiralpocket.op import geometry, selection
 
@@ -50,13 +52,14 @@ def test_the_rib_has_nine_rounded_pockets(doc, shipped):
 
 
 def test_the_demo_writes_what_it_names(out_dir, capsys):
-    import FreeCAD
-
-    before = set(FreeCAD.listDocuments())
-    folder = out_dir / "demo"
-    module("demo").main(folder)
-    for name in set(FreeCAD.listDocuments()) - before:
-        FreeCAD.closeDocument(name)
-    named = [line.split()[-1] for line in capsys.readouterr().out.splitlines() if "wrote" in line]
-    assert {Path(n).suffix for n in named} == {".FCStd", ".png", ".ngc", ".gcode"}
-    assert all(Path(n).stat().st_size > 10_000 for n in named)
+    op = module("demo").main(out_dir / "demo")
+    try:
+        named = [w.split()[-1] for w in capsys.readouterr().out.splitlines() if "wrote" in w]
+        assert {Path(n).suffix for n in named} == {".FCStd", ".png", ".ngc", ".gcode"}
+        assert all(Path(n).stat().st_size > 10_000 for n in named)
+        assert len(op.Proxy.plans) == POCKETS and not op.Proxy.errors
+        ((model, names),) = op.Base
+        floors = [model.Shape.getElement(name) for name in names]
+        write(out_dir / "programs", "rib", op, [(f, f.BoundBox.ZMin) for f in floors])
+    finally:
+        FreeCAD.closeDocument(op.Document.Name)

@@ -8,6 +8,7 @@ import Part
 import pytest
 from sample_parts import (
     DEPTH,
+    QUICK,
     add_job,
     add_part,
     area,
@@ -35,7 +36,7 @@ UNCUT = 0.01
 def op(doc):
     """Return an operation with a path, by the strategy that has an exact curve."""
     job, part, face = small_job(doc)
-    return api.add_spiral_pocket(job, [(part, [face])], Strategy="Linear Morph")
+    return api.add_spiral_pocket(job, [(part, [face])], **QUICK)
 
 
 @pytest.mark.parametrize("strategy", properties.choices()["Strategy"])
@@ -168,7 +169,7 @@ def test_each_floor_is_cut_at_its_own_depth(doc):
     part = add_part(doc, shape)
     job = add_job(doc, part)
     names = [faces_at(shape, -DEPTH)[0], faces_at(shape, -3)[0]]
-    made = api.add_spiral_pocket(job, [(part, names)])
+    made = api.add_spiral_pocket(job, [(part, names)], **QUICK)
     assert made.FinalDepth.Value == pytest.approx(-DEPTH)
     floors = [p.request.heights.final_depth for p in made.Proxy.plans]
     assert floors == pytest.approx([-DEPTH, -3])
@@ -214,7 +215,7 @@ def test_a_copy_in_the_job_has_the_same_path(op):
 def test_undo_removes_the_operation_and_redo_brings_it_back(doc):
     job, part, face = small_job(doc)
     doc.UndoMode = 1
-    made = api.add_spiral_pocket(job, [(part, [face])])
+    made = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
     name, path = made.Name, gcode(made)
     doc.undo()
     assert doc.getObject(name) is None and not job.Operations.Group
@@ -250,7 +251,7 @@ def test_progress_covers_all_pockets_and_is_opened_once(doc, monkeypatch):
     monkeypatch.setattr(operation.ObjectSpiralPocket, "progress_factory", factory)
     part = add_part(doc, block(area(circle(8)), area(circle(8, 30, 0))))
     job = add_job(doc, part)
-    made = api.add_spiral_pocket(job, [(part, faces_at(part.Shape, -DEPTH))])
+    made = api.add_spiral_pocket(job, [(part, faces_at(part.Shape, -DEPTH))], **QUICK)
     fractions = [done for done, _ in seen]
     assert labels == [made.Label]
     assert fractions == sorted(fractions) and (fractions[0], fractions[-1]) == (0, 1)

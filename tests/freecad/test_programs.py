@@ -4,8 +4,6 @@
 Beside each program lies what it may do, taken from the part and not from the path.
 """
 
-import json
-
 import FreeCAD
 import Part
 import pytest
@@ -22,11 +20,10 @@ from sample_parts import (
     rectangle,
     spline,
 )
+from sample_programs import write
 
 from freecad_spiralpocket import api
-from freecad_spiralpocket.op.compat import parent_job
 
-OUTLINE_DEFLECTION = 5e-4  # mm
 KIDNEY = [(0, 0), (30, -8), (60, 0), (66, 20), (45, 22), (30, 14), (15, 22), (-6, 20)]
 
 
@@ -63,33 +60,6 @@ PROGRAMS = {
     ),
     "two depths": (two_depths, [-DEPTH, -3], {"StepDown": 4}),
 }
-
-
-def true_outline(face):
-    """Return the face's wires as lists of points on the true curves."""
-    wires = [face.OuterWire, *(w for w in face.Wires if not w.isSame(face.OuterWire))]
-    return [[(p.x, p.y) for e in w.OrderedEdges for p in edge_points(e)] for w in wires]
-
-
-def edge_points(edge):
-    points = edge.discretize(Deflection=OUTLINE_DEFLECTION)
-    return points[::-1] if edge.Orientation == "Reversed" else points
-
-
-def write(folder, name, op, floors):
-    """Write the program of the operation's job and what it may do."""
-    folder.mkdir(parents=True, exist_ok=True)
-    limits = {
-        "radius": op.OpToolDiameter.Value / 2 + op.StockToLeave.Value,
-        "cutter": op.OpToolDiameter.Value / 2,
-        "top": op.StartDepth.Value,
-        "clearance": op.ClearanceHeight.Value,
-        "pockets": [
-            {"wires": true_outline(face), "floor": z + op.ZStockToLeave.Value} for face, z in floors
-        ],
-    }
-    api.export(parent_job(op), folder / f"{name}.ngc", "linuxcnc", "--precision=4")
-    (folder / f"{name}.json").write_text(json.dumps(limits), encoding="utf-8")
 
 
 @pytest.mark.parametrize("name", PROGRAMS)

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Leaves programs for tests/output, with what they may do taken from the part alone."""
+
+import json
+
+from freecad_spiralpocket import api
+from freecad_spiralpocket.op.compat import parent_job
+
+OUTLINE_DEFLECTION = 5e-4  # mm
+
+
+def true_outline(face):
+    """Return the face's wires as lists of points on the true curves."""
+    wires = [face.OuterWire, *(w for w in face.Wires if not w.isSame(face.OuterWire))]
+    return [[(p.x, p.y) for e in w.OrderedEdges for p in edge_points(e)] for w in wires]
+
+
+def edge_points(edge):
+    points = edge.discretize(Deflection=OUTLINE_DEFLECTION)
+    return points[::-1] if edge.Orientation == "Reversed" else points
+
+
+def write(folder, name, op, floors):
+    """Write the program of the operation's job and what it may do."""
+    folder.mkdir(parents=True, exist_ok=True)
+    limits = {
+        "radius": op.OpToolDiameter.Value / 2 + op.StockToLeave.Value,
+        "cutter": op.OpToolDiameter.Value / 2,
+        "top": op.StartDepth.Value,
+        "clearance": op.ClearanceHeight.Value,
+        "pockets": [
+            {"wires": true_outline(face), "floor": z + op.ZStockToLeave.Value} for face, z in floors
+        ],
+    }
+    api.export(parent_job(op), folder / f"{name}.ngc", "linuxcnc", "--precision=4")
+    (folder / f"{name}.json").write_text(json.dumps(limits), encoding="utf-8")
