@@ -105,6 +105,12 @@ def arc(start, end, center, turns):
     return np.hstack([xy, start[2] + t * (end[2] - start[2])])
 
 
+def is_near(points, bounds, distance):
+    """Return whether points are within `distance` of a box in the plane."""
+    low, high = points[:, :2].min(axis=0) - distance, points[:, :2].max(axis=0) + distance
+    return bool(np.all(low <= bounds[2:]) and np.all(high >= bounds[:2]))
+
+
 @pytest.fixture(params=PROGRAMS, ids=lambda path: path.stem)
 def program(request):
     """Return one posted program."""
@@ -124,6 +130,7 @@ def test_it_cuts_to_the_floor_and_never_below(program):
 def test_each_pocket_is_cut_to_its_own_floor(program):
     for pocket in program.part["pockets"]:
         outline = Polygon(pocket["wires"][0])
+        shapely.prepare(outline)
         inside = [
             m.points[:, 2].min() for m in program.moves if outline.contains(Point(m.points[-1]))
         ]
@@ -146,9 +153,10 @@ def test_rapids_touch_no_stock(program):
         if not move.rapid:
             cut.append(move.points)
         elif (height := move.points[:, 2].min()) < top - ROUNDED:
-            cleared = [LineString(p) for p in cut if p[:, 2].max() <= height + ROUNDED]
-            free = shapely.unary_union([line.buffer(cutter) for line in cleared])
             swept = LineString(move.points[:, :2]).buffer(cutter - GOUGE)
+            low = [p for p in cut if p[:, 2].max() <= height + ROUNDED]
+            near = [LineString(p) for p in low if is_near(p, swept.bounds, cutter)]
+            free = shapely.unary_union([line.buffer(cutter) for line in near])
             assert free.covers(swept), f"rapid at {move.points[0]} runs into stock"
 
 
