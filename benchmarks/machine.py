@@ -42,7 +42,7 @@ MM_PER_S = 1000 / 60  # of 1 m/min
 STRAIGHT = 1000.0  # mm
 RADII = (2, 5, 10, 20)  # mm
 MOVES, CHORD = 10_000, 0.45  # -, mm
-REPEATS = 3
+REPEATS = 5
 
 
 def stop_loss() -> float:
