@@ -22,19 +22,20 @@ from shapely import MultiPolygon, Polygon
 from .model import Floats
 from .swept import SAME_HEIGHT, Pieces
 
-#: Chords in a quarter circle of exact shapes: off by 8e-5 of the radius.
-QUADRANT = 64
-#: Arcs of exact shapes become chords no farther off than this [mm].
+#: Chords in a quarter circle of what can be reached and of what is swept: off by 8e-5 and by
+#: 3e-4 of the radius; EXACT is more than both.
+REACH_QUADRANT, SWEPT_QUADRANT, EXACT = 64, 32, 5e-4
+#: Arcs become chords and straight chains single lines no farther off than this [mm].
 CHORD_TOLERANCE = 1e-4
 #: The rough picture: motion simplified by this share of the radius and grown by that one.
 #: With the 1 % by which GEOS simplifies what it grows they stay below the radius.
-ROUGH_MOTION, ROUGH_RADIUS = 0.005, 0.98
+ROUGH_MOTION, ROUGH_RADIUS = 0.03, 0.95
 
 
 def reachable_floor(pocket: Polygon, radius: float, stock: float) -> shapely.Geometry:
     """Return the part of the pocket that the cutter can clear, `stock` [mm] off the wall."""
-    centers = pocket.buffer(-(radius + stock), quad_segs=QUADRANT)
-    return centers.buffer(radius, quad_segs=QUADRANT)
+    centers = pocket.buffer(-(radius + stock), quad_segs=REACH_QUADRANT)
+    return centers.buffer(radius, quad_segs=REACH_QUADRANT)
 
 
 def uncut_floor(
@@ -58,32 +59,45 @@ def uncut_floor(
     -------
     shapely.MultiPolygon
     """
-    wanted = reach.buffer(-skin - 2e-4 * radius, quad_segs=QUADRANT)
+    wanted = reach.buffer(-skin - EXACT * radius, quad_segs=REACH_QUADRANT)
     deep = pieces.select(~pieces.rapid & (pieces.heights <= floor + SAME_HEIGHT))
     if len(deep) == 0:
         return _polygons(wanted)
-    doubtful = shapely.get_parts(wanted.difference(roughly_swept(deep, radius)))
-    tree = shapely.STRtree(polylines(deep, CHORD_TOLERANCE))
-    near = np.unique(tree.query(doubtful, predicate="dwithin", distance=radius)[1])
-    swept = shapely.union_all(swept_shapes(deep.select(near), radius))
-    return _polygons(shapely.union_all(doubtful).difference(swept))
+    doubtful = shapely.get_parts(wanted.difference(_roughly_swept(deep, radius)))
+    arcs, lines = deep.select(deep.is_arc), _chains(deep.select(~deep.is_arc))
+    lines = lines[_near(doubtful, lines, radius)]
+    arcs = arcs.select(_near(doubtful, polylines(arcs), radius))
+    drilled = deep.select(deep.lengths == 0).ends
+    tips = shapely.points(np.concatenate([arcs.starts, arcs.ends, drilled]))
+    rounds = shapely.buffer(np.concatenate([lines, tips]), radius, quad_segs=SWEPT_QUADRANT)
+    swept = [rounds, _sectors(arcs, radius)]
+    return _polygons(
+        shapely.union_all(doubtful).difference(shapely.union_all(np.concatenate(swept)))
+    )
 
 
-def roughly_swept(pieces: Pieces, radius: float) -> shapely.Geometry:
+def _near(
+    areas: NDArray[np.object_], lines: NDArray[np.object_], radius: float
+) -> NDArray[np.int64]:
+    """Return which lines come within the radius of any of the areas."""
+    tree = shapely.STRtree(lines)
+    return np.unique(tree.query(areas, predicate="dwithin", distance=radius)[1])
+
+
+def _chains(pieces: Pieces) -> NDArray[np.object_]:
+    """Return straight pieces as single lines, those in one line as one."""
+    lines = shapely.line_merge(shapely.multilinestrings(polylines(pieces)))
+    parts = shapely.get_parts(shapely.simplify(lines, CHORD_TOLERANCE, preserve_topology=False))
+    points, index = shapely.get_coordinates(parts, return_index=True)
+    same = index[1:] == index[:-1]
+    return shapely.linestrings(np.stack([points[:-1][same], points[1:][same]], axis=1))
+
+
+def _roughly_swept(pieces: Pieces, radius: float) -> shapely.Geometry:
     """Return a simple region that is certainly swept, nearly all of it."""
-    lines = shapely.line_merge(shapely.multilinestrings(polylines(pieces, ROUGH_MOTION * radius)))
-    rough = shapely.simplify(lines, 0.5 * ROUGH_MOTION * radius, preserve_topology=False)
+    lines = shapely.line_merge(shapely.multilinestrings(polylines(pieces)))
+    rough = shapely.simplify(lines, ROUGH_MOTION * radius, preserve_topology=False)
     return rough.buffer(ROUGH_RADIUS * radius, quad_segs=8)
-
-
-def swept_shapes(pieces: Pieces, radius: float) -> NDArray[np.object_]:
-    """Return exact shapes whose union is what the cutter sweeps on these pieces."""
-    arcs = pieces.select(pieces.is_arc)
-    lines = pieces.select(~pieces.is_arc)
-    straight = shapely.linestrings(np.stack([lines.starts, lines.ends], axis=1))
-    tips = shapely.points(np.concatenate([arcs.starts, arcs.ends]))
-    rounds = shapely.buffer(np.concatenate([straight, tips]), radius, quad_segs=QUADRANT)
-    return np.concatenate([rounds, _sectors(arcs, radius)])
 
 
 def _sectors(arcs: Pieces, radius: float) -> NDArray[np.object_]:
@@ -91,7 +105,7 @@ def _sectors(arcs: Pieces, radius: float) -> NDArray[np.object_]:
     if len(arcs) == 0:
         return np.zeros(0, object)
     inner, outer = np.maximum(arcs.radii - radius, 0.0), arcs.radii + radius
-    n = _chord_counts(outer, arcs.sweeps, CHORD_TOLERANCE) + 1
+    n = _chord_counts(outer, arcs.sweeps) + 1
     row, part = _rows(n)
     turn = arcs.angles[row] + arcs.sweeps[row] * part / (n[row] - 1)
     spoke = np.column_stack([np.cos(turn), np.sin(turn)])
@@ -104,16 +118,16 @@ def _sectors(arcs: Pieces, radius: float) -> NDArray[np.object_]:
     )
 
 
-def polylines(pieces: Pieces, tolerance: float) -> NDArray[np.object_]:
-    """Return each piece as a line string, arcs as chords within `tolerance` [mm]."""
-    n = np.where(pieces.is_arc, _chord_counts(pieces.radii, pieces.sweeps, tolerance), 1) + 1
+def polylines(pieces: Pieces) -> NDArray[np.object_]:
+    """Return each piece as a line string, arcs as chords within the tolerance."""
+    n = np.where(pieces.is_arc, _chord_counts(pieces.radii, pieces.sweeps), 1) + 1
     row, part = _rows(n)
     return shapely.linestrings(pieces.positions(row, part / (n[row] - 1)), indices=row)
 
 
-def _chord_counts(radii: Floats, sweeps: Floats, tolerance: float) -> NDArray[np.int64]:
+def _chord_counts(radii: Floats, sweeps: Floats) -> NDArray[np.int64]:
     """Return how many chords keep an arc within the tolerance, one at least."""
-    sag = np.minimum(tolerance / np.maximum(radii, 1e-9), 1.0)
+    sag = np.minimum(CHORD_TOLERANCE / np.maximum(radii, 1e-9), 1.0)
     return np.maximum(np.ceil(np.abs(sweeps) / (2 * np.arccos(1 - sag))), 1).astype(np.int64)
 
 

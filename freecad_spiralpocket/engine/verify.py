@@ -26,17 +26,22 @@ from .toolpath import Kind, Role, Toolpath
 FLOOR_SHARE = 0.5
 #: Tool circumferences at a floor, after the cutter arrived in the solid, that are still entry.
 ENTRY_TURNS = 1.5
-#: Air moves may touch this many tolerances of stock: that much a path may leave on both sides.
-AIR_SLACK = 2.0
+#: Air moves may skim this many tolerances of stock (that much a path may leave on both sides)
+#: or this share of the radius, which no cutter feels.
+AIR_TOLERANCES, AIR_SHARE = 2.0, 0.02
 
 
-def prove(request: PocketRequest, toolpath: Toolpath) -> Report:
+def prove(
+    request: PocketRequest, toolpath: Toolpath, engagement: Engagement | None = None
+) -> Report:
     """Measure a finished toolpath against what was asked.
 
     Parameters
     ----------
     request : PocketRequest
     toolpath : Toolpath
+    engagement : Engagement, optional
+        Along this toolpath, where it is known already.
 
     Returns
     -------
@@ -47,7 +52,8 @@ def prove(request: PocketRequest, toolpath: Toolpath) -> Report:
     top, bottom = heights.start_depth, heights.final_depth + request.cutting.floor_stock
     axial_depth = min(heights.step_down, top - bottom)
     pieces = cut_into_pieces(toolpath, r, top, axial_depth)
-    engagement = along_path(toolpath, r, axial_depth=axial_depth, top=top)
+    if engagement is None:
+        engagement = along_path(toolpath, r, axial_depth=axial_depth, top=top)
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
     judged, descent = _judged(engagement, fed, floors(pieces, bottom), r)
     steady = _Spread.of(engagement.angles, engagement.lengths, judged)
@@ -150,7 +156,7 @@ def _hits(
     fed: NDArray[np.bool_],
 ) -> tuple[Hit, Hit]:
     """Return how far rapids and links run through stock."""
-    slack = AIR_SLACK * request.tolerance
+    slack = max(AIR_TOLERANCES * request.tolerance, AIR_SHARE * request.cutter_radius)
     along = hits_along(engagement, ~fed, slack)
     down = rapid_plunges(pieces, request.cutter_radius, slack)
     links = fed & (toolpath.roles[engagement.moves] == Role.LINK)
