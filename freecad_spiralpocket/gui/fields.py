@@ -57,7 +57,8 @@ class Choice(_Bound):
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         super().__init__(widget, obj, name)
         for value in obj.getEnumerationsOfProperty(name):
-            widget.addItem(translate("SpiralPocket", value), value)
+            text = value.replace("_", " ")
+            widget.addItem(translate("SpiralPocket", text[:1].upper() + text[1:]), value)
 
     def _show(self) -> None:
         self.widget.setCurrentIndex(self.widget.findData(getattr(self.obj, self.name)))
@@ -71,8 +72,8 @@ class Choice(_Bound):
         return [self.widget.currentIndexChanged]
 
 
-class Percent(_Bound):
-    """A percentage in a spin box."""
+class Number(_Bound):
+    """A percentage or another plain number in a spin box."""
 
     def _show(self) -> None:
         self.widget.setValue(getattr(self.obj, self.name))

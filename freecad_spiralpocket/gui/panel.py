@@ -12,8 +12,9 @@ from typing import Any
 
 import FreeCADGui
 
+from ..engine.model import FeedMode
 from .compat import PathOpGui, has_tool_controller_editor
-from .fields import Check, Choice, Field, Percent, Quantity
+from .fields import Check, Choice, Field, Number, Quantity
 from .resulttext import result_text
 from .startup import RESOURCES
 
@@ -22,15 +23,21 @@ FORM = RESOURCES / "panels" / "SpiralPocket.ui"
 #: Widget, property and kind of field, in the order of the page.
 FIELDS = (
     ("strategy", "Strategy", Choice),
-    ("stepOverPercent", "StepOver", Percent),
+    ("stepOverPercent", "StepOver", Number),
     ("cutMode", "CutMode", Choice),
     ("stockToLeave", "StockToLeave", Quantity),
     ("zStockToLeave", "ZStockToLeave", Quantity),
     ("helixAngle", "HelixAngle", Quantity),
     ("helixDiameterLimit", "HelixDiameterLimit", Quantity),
+    ("machine", "Machine", Choice),
+    ("feedMode", "FeedMode", Choice),
     ("tolerance", "Tolerance", Quantity),
     ("finishingProfile", "FinishingProfile", Check),
     ("useOutline", "UseOutline", Check),
+    ("slowdownPercent", "SlowdownPercent", Number),
+    ("maxFeedRatio", "MaxFeedRatio", Number),
+    ("linkFeed", "LinkFeed", Number),
+    ("slotBite", "SlotBite", Quantity),
 )
 
 
@@ -45,6 +52,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
         form = FreeCADGui.PySideUic.loadUi(str(FORM))
         if not has_tool_controller_editor():
             form.editToolController.hide()
+        form.advancedFrame.hide()
         return form
 
     def initPage(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
@@ -67,6 +75,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
                 field.write()
         finally:
             self.is_writing = False
+        self.enable_fields()
         self.form.result.setEnabled(False)  # out of date until the next recompute
 
     def setFields(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
@@ -74,6 +83,12 @@ class OperationPage(PathOpGui.TaskPanelPage):
         self.setupToolController(obj, self.form.toolController)
         self.setupCoolant(obj, self.form.coolantController)
         self.show_outcome()
+
+    def enable_fields(self) -> None:
+        """Grey the fields that the feed mode does not use."""
+        mode = self.obj.FeedMode
+        self.form.slowdownPercent.setEnabled(mode == FeedMode.LINEAR_SLOWDOWN.value)
+        self.form.maxFeedRatio.setEnabled(mode == FeedMode.CHIP_THICKNESS.value)
 
     def updateData(self, obj: Any, prop: str) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show a property that was changed elsewhere, not while it is being typed here."""
@@ -86,5 +101,6 @@ class OperationPage(PathOpGui.TaskPanelPage):
         """Show what the last recompute brought: results, and values from expressions."""
         for field in self.fields:
             field.show()
+        self.enable_fields()
         self.form.result.setText(result_text(self.obj))
         self.form.result.setEnabled(True)

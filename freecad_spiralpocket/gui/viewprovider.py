@@ -9,6 +9,7 @@ does not remember where the add-on was installed.
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable
 from typing import Any
 
@@ -64,6 +65,9 @@ class ViewProvider(PathOpGui.ViewProvider):
                 )
             )
             return False
+        # What is left of earlier panels still names their widgets, which are gone; PySide would
+        # take new widgets at the same addresses for them.
+        gc.collect()
         page = OperationPage(obj, 0)
         page.setTitle(translate("SpiralPocket", "Spiral Pocket"))
         page.setIcon(self.OpIcon)

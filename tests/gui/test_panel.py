@@ -5,7 +5,7 @@ import FreeCAD
 import pytest
 from window import APPLY, CANCEL, panel, press, press_toolbar_button, pump, select, widget
 
-from freecad_spiralpocket.gui.fields import Check, Choice, Percent, Quantity
+from freecad_spiralpocket.gui.fields import Check, Choice, Number, Quantity
 from freecad_spiralpocket.gui.panel import FIELDS
 from freecad_spiralpocket.op.properties import option_names
 
@@ -15,6 +15,12 @@ ENTRIES = {
     "CutMode": ("Conventional", "Conventional"),
     "StockToLeave": (0.25, 0.25),
     "ZStockToLeave": (0.5, 0.5),
+    "Machine": ("vmc", "vmc"),
+    "FeedMode": ("Chip thickness", "Chip thickness"),
+    "SlowdownPercent": (60, 60),
+    "MaxFeedRatio": (1.5, 1.5),
+    "LinkFeed": (4000.0, 4000.0),
+    "SlotBite": (0.5, 0.5),
     "HelixAngle": (3.0, 3.0),
     "HelixDiameterLimit": (7.0, 7.0),
     "Tolerance": (0.02, 0.02),
@@ -40,7 +46,7 @@ def enter(box, kind, value):
         box.setCurrentIndex(box.findData(value))
     elif kind is Check:
         box.setChecked(value)
-    elif kind is Percent:
+    elif kind is Number:
         box.setValue(value)
     else:
         box.setProperty("rawValue", value)
@@ -52,7 +58,7 @@ def shown(box, kind):
     read = {
         Choice: lambda: box.currentData(),
         Check: lambda: box.isChecked(),
-        Percent: lambda: box.value(),
+        Number: lambda: box.value(),
         Quantity: lambda: box.property("rawValue"),
     }
     return read[kind]()
@@ -92,6 +98,23 @@ def test_length_is_shown_in_the_users_unit(job, floor):
         press(CANCEL)
     finally:
         FreeCAD.Units.setSchema(0)
+
+
+def test_fields_of_the_other_feed_modes_are_grey(operation):
+    for mode, enabled in (
+        ("Chip thickness", "maxFeedRatio"),
+        ("Linear slow-down", "slowdownPercent"),
+    ):
+        enter(widget("feedMode"), Choice, mode)
+        names = ("maxFeedRatio", "slowdownPercent")
+        assert [n for n in names if widget(n).isEnabled()] == [enabled]
+
+
+def test_advanced_fields_unfold(operation):
+    assert not widget("slotBite").isVisible()
+    widget("advanced").setChecked(True)
+    pump()
+    assert widget("slotBite").isVisible()
 
 
 def test_field_shows_what_was_changed_elsewhere(operation):
