@@ -6,7 +6,6 @@ import math
 import numpy as np
 import pytest
 import shapely
-from gcode import read_program
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracle import Bitmap, walk
@@ -353,13 +352,3 @@ def test_levels_are_judged_alike():
     assert two.engagement_max == pytest.approx(one.engagement_max, abs=1e-6)
     assert two.engagement_mean == pytest.approx(one.engagement_mean, abs=1e-3)
     assert two.uncut_area == pytest.approx(one.uncut_area, abs=1e-6)
-
-
-def test_posted_program_reads_like_its_toolpath():
-    path = read_program(
-        "G21 G90\nG0 Z5.0\nG0 X3 Y20 Z5\nG0 Z1\nG1 Z-5 F600\nG1 X30\n"
-        "G3 X37 Y27 I0 J7 F1200 (corner)\nG2 X37 Y27 I-3 J0\nG0 Z5\n"
-    )
-    assert len(path) == 7
-    assert path.lengths.sum() == pytest.approx(4 + 6 + 27 + 3.5 * np.pi + 6 * np.pi + 10)
-    assert path.feeds[1:3] == pytest.approx([10.0, 10.0])
