@@ -8,11 +8,13 @@ own height and never below, so that `FinalDepth` can also stop all pockets early
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import machines
+from ..engine.machine import Machine
 from ..engine.model import (
     CutMode,
     Cutting,
@@ -61,6 +63,15 @@ def final_depth(obj: Any, z: float, deepest: float) -> float:
     return asked if z <= deepest + SAME_HEIGHT else max(asked, z)
 
 
+@cache
+def machine(name: str) -> Machine:
+    """Return the machine preset `name`, always the same record.
+
+    One of its limits may be nan, so that two records of one preset compare different.
+    """
+    return machines.load(name)
+
+
 def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
     """Return the request for one pocket that is cut to `depth` with the operation `obj`."""
     diameter = obj.OpToolDiameter.Value
@@ -96,5 +107,5 @@ def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
             largest_ratio=obj.MaxFeedRatio,
             link_feed=obj.LinkFeed / 60,
         ),
-        machine=machines.load(obj.Machine),
+        machine=machine(obj.Machine),
     )

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Errors as a machinist reads them; the document is as before, and nothing stale is posted."""
 
+import importlib
 import sys
 
 import Part
@@ -30,7 +31,7 @@ from freecad_spiralpocket.engine.errors import (
     SetupError,
     SpiralPocketError,
 )
-from freecad_spiralpocket.op import operation
+from freecad_spiralpocket.op import compat, operation
 
 
 @pytest.fixture
@@ -165,6 +166,19 @@ def test_a_library_is_missing(op, monkeypatch, library):
     monkeypatch.setitem(sys.modules, library, None)
     op.touch()
     failed(op, SetupError, f"needs the Python library {library}")
+
+
+def test_documents_can_be_opened_without_the_libraries(monkeypatch):
+    ours = [name for name in sys.modules if name.startswith("freecad_spiralpocket")]
+    registered = dict(compat.PathSetupSheet._RegisteredOps)
+    monkeypatch.setattr(compat.PathSetupSheet, "_RegisteredOps", registered)
+    blocked = [name for name in sys.modules if name.split(".")[0] in ("shapely", "scipy")]
+    for name in ours:
+        monkeypatch.delitem(sys.modules, name)
+    for name in [*blocked, "shapely", "scipy"]:
+        monkeypatch.setitem(sys.modules, name, None)
+    loaded = importlib.import_module("freecad_spiralpocket.op.operation")
+    assert loaded is not operation and loaded.ObjectSpiralPocket.plans == ()
 
 
 def test_a_library_is_missing_for_a_script(setting, monkeypatch):

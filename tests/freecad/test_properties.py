@@ -79,7 +79,7 @@ def test_results_and_schema_version_cannot_be_edited(op):
 def test_enumerations_are_offered_with_coolant_and_translations():
     names = dict(operation.ObjectSpiralPocket.opPropertyEnumerations())
     raw = operation.ObjectSpiralPocket.opPropertyEnumerations("raw")
-    assert set(names) == set(raw) == {"CoolantMode", "Strategy", "CutMode"}
+    assert set(names) == set(raw) == {"CoolantMode", *properties.choices()}
     assert names["CutMode"] == [data for _, data in raw["CutMode"]] == ["Climb", "Conventional"]
 
 
