@@ -297,13 +297,13 @@ def looked_up(path: Toolpath) -> np.ndarray:
 TOUCHING = 0.05
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(toolpaths())
 def test_agrees_with_looking_up_every_rim_point(path):
     assert np.count_nonzero(np.abs(looked_up(path)) > 1.0) <= 1 + TOUCHING * 60
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(toolpaths(floors=(FLOOR, 0.6 * FLOOR, 0.2 * FLOOR)))
 def test_agrees_with_looking_up_heights(path):
     # ramps are steps of 1/32 of the axial depth, rounded: worth 6 degrees of a full slot

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How hard a path loads the cutter: engagement and chip load at the floors, bite on the way down.
+
+Figures are weighted by length. What comes right after the cutter has arrived in the
+solid is entry: there a slot cannot be avoided, and it does not count.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .engagement import Engagement
+from .findings import over_limit
+from .model import Floats, PocketRequest
+from .swept import SAME_HEIGHT, Pieces
+from .toolpath import Kind, Toolpath
+
+#: A height is a floor if the level motion there is at least this share of the longest.
+FLOOR_SHARE = 0.5
+#: Tool circumferences at a floor, after the cutter arrived in the solid, that are still entry.
+ENTRY_TURNS = 1.5
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """What the cutter has to bear.
+
+    Attributes
+    ----------
+    largest, p99, mean : float
+        Engagement angle at the floors after the entry [rad].
+    place : tuple of float or None
+        Where it is largest, (x, y) [mm].
+    over_share : float
+        Share of the length there that clearly passes the limit.
+    chip_p99 : float
+        Chip load there over that of a straight cut at the step-over and feed.
+    bite : float
+        Height straight ahead on the way down, not passed over 99 % of its length [mm].
+    """
+
+    largest: float
+    p99: float
+    mean: float
+    place: tuple[float, float] | None
+    over_share: float
+    chip_p99: float
+    bite: float
+
+
+def measure_load(
+    request: PocketRequest, toolpath: Toolpath, engagement: Engagement, pieces: Pieces
+) -> Load:
+    """Return what the cutter has to bear on a path.
+
+    Parameters
+    ----------
+    request : PocketRequest
+    toolpath : Toolpath
+    engagement : Engagement
+        Along the toolpath.
+    pieces : Pieces
+        Of the toolpath.
+    """
+    bottom = request.heights.final_depth + request.cutting.floor_stock
+    fed = toolpath.kinds[engagement.moves] != Kind.RAPID
+    at_floor = fed & _near_any(engagement.points[:, 2], floors(pieces, bottom))
+    judged = at_floor & _past_entry(engagement, at_floor, request.cutter_radius)
+    angles, lengths, limit = engagement.angles, engagement.lengths, request.engagement_limit
+    chips = chip_loads(toolpath, engagement, request.feeds.horizontal, limit)
+    total = float(lengths[judged].sum())
+    over = float(lengths[judged & (angles > over_limit(limit))].sum())
+    worst = int(np.argmax(np.where(judged, angles, -1.0))) if total > 0 else -1
+    x, y = engagement.points[worst, :2] if total > 0 else (0.0, 0.0)
+    return Load(
+        largest=float(angles[worst]) if total > 0 else 0.0,
+        p99=_p99(angles, lengths, judged),
+        mean=float((angles * lengths)[judged].sum()) / total if total > 0 else 0.0,
+        place=(float(x), float(y)) if total > 0 else None,
+        over_share=over / total if total > 0 else 0.0,
+        chip_p99=_p99(chips, lengths, judged),
+        bite=_p99(engagement.bites, lengths, fed & ~at_floor),
+    )
+
+
+def floors(pieces: Pieces, bottom: float) -> Floats:
+    """Return the Z of the floors that the path clears, descending; always with `bottom` [mm]."""
+    level = pieces.is_level & ~pieces.rapid
+    z = np.round(pieces.heights[level] / SAME_HEIGHT) * SAME_HEIGHT
+    found, index = np.unique(z, return_inverse=True)
+    lengths = np.bincount(index, pieces.lengths[level], minlength=len(found))
+    long = found[lengths >= FLOOR_SHARE * lengths.max(initial=0.0)]
+    long = long[np.abs(long - bottom) > SAME_HEIGHT]
+    return np.sort(np.r_[long, bottom])[::-1]
+
+
+def chip_loads(toolpath: Toolpath, engagement: Engagement, feed: float, limit: float) -> Floats:
+    """Return the chip load of each sample over that of a straight cut, shape (k,).
+
+    Feed times the sine of the engagement (a chip is thickest at 90 degrees), over the same of
+    `feed` [mm/s] at the engagement `limit` [rad].
+    """
+    thick = np.sin(np.minimum(engagement.angles, np.pi / 2))
+    full = feed * np.sin(min(limit, np.pi / 2))
+    return toolpath.feeds[engagement.moves] * thick / full
+
+
+def _near_any(z: Floats, levels: Floats) -> NDArray[np.bool_]:
+    return np.abs(z[:, None] - levels[None, :]).min(axis=1) <= SAME_HEIGHT
+
+
+def _past_entry(engagement: Engagement, at_floor: NDArray[np.bool_], r: float) -> NDArray[np.bool_]:
+    """Return which samples come far enough after the last arrival in the solid."""
+    done = np.cumsum(np.where(at_floor, engagement.lengths, 0.0))
+    arrivals = np.where(at_floor & engagement.solid_arrivals, done, 0.0)
+    return done - np.maximum.accumulate(arrivals) > ENTRY_TURNS * 2 * np.pi * r
+
+
+def _p99(values: Floats, lengths: Floats, chosen: NDArray[np.bool_]) -> float:
+    """Return what the values do not pass over 99 % of the length; 0 for none."""
+    index = np.flatnonzero(chosen)
+    share = lengths[index].sum()
+    if share <= 0:
+        return 0.0
+    index = index[np.argsort(values[index], kind="stable")]
+    return float(values[index[np.searchsorted(np.cumsum(lengths[index]), 0.99 * share)]])
