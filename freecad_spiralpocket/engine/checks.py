@@ -12,7 +12,7 @@ import numpy as np
 from shapely import Polygon, get_coordinates, is_valid_reason
 
 from .errors import GeometryError, RequestError
-from .model import PocketRequest
+from .model import FeedPlan, PocketRequest
 
 
 def check_request(request: PocketRequest) -> None:
@@ -59,12 +59,30 @@ def _check_numbers(request: PocketRequest) -> None:
         raise RequestError(
             "The helix's diameter limit is negative.", "Set HelixDiameterLimit to 0 for no limit."
         )
+    _check_feed_plan(request.feed_plan)
     for name, value in (
         ("XY stock to leave", request.cutting.stock_to_leave),
         ("Z stock to leave", request.cutting.floor_stock),
     ):
         if not math.isfinite(value):
             raise RequestError(f"The {name} is not a number.", "Set it to 0 for none.")
+
+
+def _check_feed_plan(plan: FeedPlan) -> None:
+    if not 0 < plan.slowed <= 1:
+        raise RequestError(
+            f"The slowed feed of {100 * plan.slowed:g} percent is not between 0 and 100 percent.",
+            "Set SlowdownPercent between 1 and 100; 75 is usual.",
+        )
+    if not 1 <= plan.largest_ratio < math.inf:
+        raise RequestError(
+            f"The largest feed ratio of {plan.largest_ratio:g} is below 1.",
+            "Set MaxFeedRatio to 1 or more; 2 is usual.",
+        )
+    if not 0 <= plan.link_feed < math.inf:
+        raise RequestError(
+            "The link feed is negative.", "Set LinkFeed to 0 for the horizontal rapid rate."
+        )
 
 
 def _check_positive(name: str, value: float, hint: str) -> None:

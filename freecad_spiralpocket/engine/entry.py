@@ -151,7 +151,9 @@ def _cut_slot(
     turns = np.arange(-math.ceil(ramp / ring.length), levels + 1)
     stops = (corners[None, :] + ring.length * turns[:, None]).ravel()
     # a loop's ramp ends `ramp` after it began, wherever the ring's first point is
-    knees = np.concatenate([ring.length * np.arange(levels) - ramp, ring.length * np.arange(levels)])
+    knees = np.concatenate(
+        [ring.length * np.arange(levels) - ramp, ring.length * np.arange(levels)]
+    )
     s = np.unique(np.round(np.concatenate([stops, knees, [end]]), 9))
     s = s[(s > -ramp + 1e-6) & (s <= end + 1e-9)]
     heights = np.interp(

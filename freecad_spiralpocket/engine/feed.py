@@ -20,13 +20,12 @@ two feeds: a feed is never above what is allowed anywhere in its run.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import minimum_filter1d
 
-from .model import Floats
+from .model import FeedMode, Floats
 from .runs import lengthen_runs
 from .stations import Measured, ends_of, points_at, stations_of
 from .toolpath import Role, Toolpath
@@ -35,20 +34,17 @@ from .toolpath import Role, Toolpath
 RUNG = 1.08
 #: Ratios this share below a rung still count as on it: no engagement is known better.
 DEAD_BAND = 0.03
+#: Up to so much times the limit and a little more [rad] engagement counts as at the limit: the
+#: chip is then at most 5 % thicker, and every lap would flicker.
+SLACK, SLACK_ANGLE = 1.05, np.radians(2.0)
 #: Engagement above this is a slot [rad].
 SLOT = np.radians(150.0)
+#: Least length of one feed over R: the thin chips beside walls are no longer.
+LEAST_RUN = 0.5
 #: A change of feed goes to the end of a move this near, in least runs.
 SNAP = 0.1
 #: Moves are not split closer than this to their ends [mm].
 SHORTEST = 1e-3
-
-
-class FeedMode(Enum):
-    """How the feed follows the engagement; the value is what the machinist reads."""
-
-    CONSTANT = "Constant"
-    LINEAR_SLOWDOWN = "Linear slow-down"
-    CHIP_THICKNESS = "Chip thickness"
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +67,7 @@ class FeedRules:
     machine_speed : float
         No feed above this [mm/s].
     least_run : float, optional
-        Least length of one feed [mm]; by default the cutter's diameter.
+        Least length of one feed [mm]; by default half the cutter's radius.
 
     Raises
     ------
@@ -121,7 +117,7 @@ def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> To
     if len(toolpath) == 0:
         return toolpath
     follows = _follows(toolpath.roles, rules.mode)
-    least = 2 * rules.cutter_radius if rules.least_run is None else rules.least_run
+    least = LEAST_RUN * rules.cutter_radius if rules.least_run is None else rules.least_run
     stations, ratios = _allowed_ratios(toolpath, engagement, rules)
     ends = ends_of(toolpath)
     cuts, rungs = [], []
@@ -195,7 +191,8 @@ def _allowed_ratios(
             depths, specified, float(depths[steady].max(initial=0.0)), rules.slowed
         )
         return stations, np.where((angles >= SLOT) & (limit < SLOT), rules.slowed, ratio)
-    above = limit / np.maximum(angles, limit)
+    steady = SLACK * limit + SLACK_ANGLE
+    above = steady / np.maximum(angles, steady)
     if rules.mode is FeedMode.CONSTANT:
         return stations, above
     thickest = np.sin(min(limit, np.pi / 2))

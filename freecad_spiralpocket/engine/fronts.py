@@ -20,6 +20,7 @@ a curve, with the step measured by engagement instead of distance.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 import shapely
@@ -29,7 +30,8 @@ from shapely import MultiPolygon, Polygon
 from .model import Floats
 from .region import polygons_of
 
-Region = Polygon | MultiPolygon
+#: What growing and shrinking return.
+Region: TypeAlias = Polygon | MultiPolygon
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +119,7 @@ def _stepped_ring(ring: shapely.LinearRing, omega: Polygon, rules: FrontRules) -
     curvature = (tangent[:, 0] * bend[:, 1] - tangent[:, 1] * bend[:, 0]) / speed**3
     on_wall = shapely.dwithin(omega.boundary, shapely.points(points), 0.02)
     curvature = np.where(on_wall, 0.0, np.maximum(curvature, 0.0))
-    width = max(3, int(round(2 * REACH * rules.cutter_radius / spacing)) | 1)
+    width = max(3, round(2 * REACH * rules.cutter_radius / spacing) | 1)
     curvature = maximum_filter1d(curvature, width, mode="wrap")
     curvature = gaussian_filter1d(curvature, EVEN * rules.cutter_radius / spacing, mode="wrap")
     step = np.where(on_wall, 0.0, engagement_step(curvature, rules))
@@ -244,7 +246,9 @@ def oriented(shape: Polygon) -> Polygon:
 def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
     """Return the levels that take the corners, each in as few steps as the limit allows."""
     opened = [
-        omega if share == 0 else buffer(buffer(omega, -share * rules.cutter_radius), share * rules.cutter_radius)
+        omega
+        if share == 0
+        else buffer(buffer(omega, -share * rules.cutter_radius), share * rules.cutter_radius)
         for share in CORNER_FILLETS
     ]
     levels = []

@@ -83,7 +83,12 @@ def _hermite_basis(count: int) -> Floats:
 
 
 def hermite_links(
-    start: Floats, heading: Floats, ends: Floats, headings: Floats, radius: float, count: int = POINTS
+    start: Floats,
+    heading: Floats,
+    ends: Floats,
+    headings: Floats,
+    radius: float,
+    count: int = POINTS,
 ) -> Floats:
     """Return candidates for a smooth link, tangent at both ends.
 
@@ -103,7 +108,10 @@ def hermite_links(
     """
     distance = np.hypot(*(ends - start).T)
     handles = np.concatenate(
-        [distance[:, None] * np.array(HANDLES), np.tile(radius * np.array(HANDLES_R), (len(ends), 1))],
+        [
+            distance[:, None] * np.array(HANDLES),
+            np.tile(radius * np.array(HANDLES_R), (len(ends), 1)),
+        ],
         axis=1,
     )
     n = handles.shape[1]
@@ -143,13 +151,15 @@ def link_times(paths: Floats, motion: Motion) -> Floats:
     inner = np.minimum(a / (bend + 1e-9), motion.link_feed**2)
     ends = np.full((*inner.shape[:-1], 1), motion.cut_feed**2)
     square = np.concatenate([ends, inner, ends], axis=-1)
-    climb = 2 * a * np.concatenate(
-        [np.zeros((*length.shape[:-1], 1)), np.cumsum(length, axis=-1)], axis=-1
+    climb = (
+        2
+        * a
+        * np.concatenate([np.zeros((*length.shape[:-1], 1)), np.cumsum(length, axis=-1)], axis=-1)
     )
     forward = np.minimum.accumulate(square - climb, axis=-1) + climb
-    back = np.flip(
-        np.minimum.accumulate(np.flip(square + climb, axis=-1), axis=-1), axis=-1
-    ) - climb
+    back = (
+        np.flip(np.minimum.accumulate(np.flip(square + climb, axis=-1), axis=-1), axis=-1) - climb
+    )
     v = np.sqrt(np.maximum(np.minimum(forward, back), 1e-6))
     time = (2 * length / (v[..., :-1] + v[..., 1:])).sum(axis=-1)
     lost = ((motion.cut_feed - v[..., 0]) ** 2 + (motion.cut_feed - v[..., -1]) ** 2) / (

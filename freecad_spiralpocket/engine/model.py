@@ -42,6 +42,14 @@ class CutMode(Enum):
     CONVENTIONAL = "Conventional"
 
 
+class FeedMode(Enum):
+    """How the feed follows the engagement; the value is what the machinist reads."""
+
+    CONSTANT = "Constant"
+    LINEAR_SLOWDOWN = "Linear slow-down"
+    CHIP_THICKNESS = "Chip thickness"
+
+
 class Strategy(Enum):
     """How the laps are made; the value is what the machinist reads."""
 
@@ -81,6 +89,27 @@ class Feeds:
     vertical: float
     horizontal_rapid: float
     vertical_rapid: float
+
+
+@dataclass(frozen=True, slots=True)
+class FeedPlan:
+    """How the feed follows the engagement (see `feed`).
+
+    Attributes
+    ----------
+    mode : FeedMode
+    slowed : float
+        Ratio of the slowed feed (Linear slow-down), in ``(0, 1]``.
+    largest_ratio : float
+        Largest ratio to the programmed feed (Chip thickness), 1 or more.
+    link_feed : float
+        Of moves at depth through cleared ground [mm/s]; 0 for the horizontal rapid rate.
+    """
+
+    mode: FeedMode = FeedMode.CONSTANT
+    slowed: float = 0.75
+    largest_ratio: float = 2.0
+    link_feed: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,6 +170,7 @@ class PocketRequest:
     strategy : Strategy
     tolerance : float
         Largest deviation of the emitted path from the exact curve [mm].
+    feed_plan : FeedPlan
     machine : Machine or None
         On which machine the time is to be least; None for a middling one.
     """
@@ -153,7 +183,13 @@ class PocketRequest:
     entry: Entry = Entry()
     strategy: Strategy = Strategy.AUTOMATIC
     tolerance: float = 0.01
+    feed_plan: FeedPlan = FeedPlan()
     machine: Machine | None = None
+
+    @property
+    def link_feed(self) -> float:
+        """Return the feed of links at depth [mm/s]."""
+        return self.feed_plan.link_feed or self.feeds.horizontal_rapid
 
     @property
     def cutter_radius(self) -> float:
@@ -207,7 +243,7 @@ class Report:
     Attributes
     ----------
     time : float
-        [s], every move at its own feed.
+        On the request's machine [s]; from `prove` alone, every move at its own feed.
     cut_length : float
         Of all moves at cutting feed below the start depth [mm].
     engagement_limit, engagement_max, engagement_p99, engagement_mean : float

@@ -211,7 +211,15 @@ def order(
         ready = [w for w, (i, _) in enumerate(ways) if i in open_runs and not waiting[i]]
         near = np.argsort(np.hypot(*(starts[ready] - start).T), kind="stable")
         link, taken = _next(
-            start, heading, [ready[i] for i in near], starts, headings, cleared, fence, motion, radius
+            start,
+            heading,
+            [ready[i] for i in near],
+            starts,
+            headings,
+            cleared,
+            fence,
+            motion,
+            radius,
         )
         chosen, way = ways[taken]
         points = way()

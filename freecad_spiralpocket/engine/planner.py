@@ -11,16 +11,20 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import numpy as np
 from shapely import Polygon
 from shapely.affinity import scale
 from shapely.geometry.polygon import orient
 
 from .checks import check_request
 from .dependencies import require_libraries
+from .engagement import Engagement, along_path
 from .errors import CancelledError, ProofError, SpiralPocketError
+from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
 from .laps import automatic, linear_morph
 from .levels import floors
+from .machine import MIDDLING
 from .model import (
     CutMode,
     Notice,
@@ -32,6 +36,9 @@ from .model import (
 )
 from .region import center_regions, unreachable_notices
 from .rendering import render
+from .stations import ends_of, stations_of
+from .timing import time_of
+from .toolpath import Toolpath
 from .verify import prove
 
 #: A path that gouges deeper than the tolerance and this is not handed out [mm].
@@ -76,8 +83,10 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     if request.cutting.cut_mode is CutMode.CONVENTIONAL:
         toolpath, curves = toolpath.mirrored(), tuple(_mirrored_curve(c) for c in curves)
 
-    _tell(progress, 0.7, "Proving the path")
-    report = prove(request, toolpath)
+    _tell(progress, 0.7, "Planning feeds")
+    toolpath, engagement = _with_feeds(toolpath, request)
+    _tell(progress, 0.8, "Proving the path")
+    report = prove(request, toolpath, engagement)
     if report.gouge > request.tolerance + GOUGE_SLACK:
         raise ProofError(
             f"The path was made, but would cut {report.gouge:.3f} mm into the wall; it is not "
@@ -85,8 +94,34 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
             "Try another step-over or strategy, and please report this pocket.",
         )
     _tell(progress, 1.0, "Done")
-    report = replace(report, notices=(*notices, *uncut, *report.notices))
+    seconds = time_of(toolpath, request.machine or MIDDLING).total
+    report = replace(report, time=seconds, notices=(*notices, *uncut, *report.notices))
     return Plan(request, toolpath, report, curves)
+
+
+def _with_feeds(toolpath: Toolpath, request: PocketRequest) -> tuple[Toolpath, Engagement]:
+    """Return the toolpath with its feeds planned, and the engagement along it."""
+    heights, wanted = request.heights, request.feed_plan
+    floor = heights.final_depth + request.cutting.floor_stock
+    engagement = along_path(
+        toolpath,
+        request.cutter_radius,
+        axial_depth=min(heights.step_down, heights.start_depth - floor),
+        top=heights.start_depth,
+    )
+    rules = FeedRules(
+        mode=wanted.mode,
+        cutter_radius=request.cutter_radius,
+        engagement_limit=request.engagement_limit,
+        link_feed=request.link_feed,
+        slowed=wanted.slowed,
+        largest_ratio=wanted.largest_ratio,
+        machine_speed=(request.machine or MIDDLING).flat_speed,
+    )
+    fed = plan_feeds(toolpath, engagement, rules)
+    stations = stations_of(toolpath, engagement.moves, engagement.points)
+    moves = np.minimum(np.searchsorted(ends_of(fed), stations - 1e-9), len(fed) - 1)
+    return fed, replace(engagement, moves=moves)
 
 
 def _tell(progress: Progress | None, done: float, stage: str) -> None:

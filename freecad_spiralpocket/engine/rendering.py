@@ -62,5 +62,5 @@ def _cut_level(
             builder.rapid(feeds.vertical_rapid, z=min(bottom + APPROACH, safe))
             builder.line((*part.points[-1], bottom), feeds.vertical, Role.LINK)
         else:
-            feed = feeds.horizontal_rapid if part.role is Role.LINK else feeds.horizontal
+            feed = request.link_feed if part.role is Role.LINK else feeds.horizontal
             builder.polyline(part.points, bottom, feed, part.role)

@@ -42,7 +42,9 @@ def route(
     for share in SPACINGS:
         count = max(2, int(np.ceil(line.length / (share * radius))))
         middle = shapely.get_coordinates(
-            shapely.line_interpolate_point(line, np.linspace(0, 1, count + 1)[1:-1], normalized=True)
+            shapely.line_interpolate_point(
+                line, np.linspace(0, 1, count + 1)[1:-1], normalized=True
+            )
         )
         handle = min(share * radius, line.length / 3)
         controls = np.vstack(
@@ -57,9 +59,7 @@ def route(
 def _clamped(controls: Floats, count: int) -> Floats:
     n = len(controls)
     degree = min(3, n - 1)
-    knots = np.concatenate(
-        [np.zeros(degree), np.linspace(0, 1, n - degree + 1), np.ones(degree)]
-    )
+    knots = np.concatenate([np.zeros(degree), np.linspace(0, 1, n - degree + 1), np.ones(degree)])
     return BSpline(knots, controls, degree)(np.linspace(0, 1, count))
 
 

@@ -16,6 +16,9 @@ from numpy.typing import NDArray
 from .model import Floats
 
 Rungs = NDArray[np.int64]
+#: A step this share too short is long enough: what it lacks would be lost in rounding, and it
+#: would be cured for ever.
+ROUNDING = 1e-9
 
 
 def lengthen_runs(edges: Floats, rungs: Rungs, least: float, ratio: float) -> tuple[Floats, Rungs]:
@@ -120,7 +123,7 @@ class _Steps:
     def cheapest_way(self, i: int) -> tuple[float, int, int, float] | None:
         """Return (cost, step, neighbor, length) of the best cure for a short step, or None."""
         length, slowness = self.end[i] - self.start[i], self.ratio ** -self.rung[i]
-        if length >= self.least:
+        if length >= self.least * (1 - ROUNDING):
             return None
         ways = []
         for j in self._near(i):

@@ -142,9 +142,7 @@ def longest_path(axis: Skeleton, edges: list[tuple[int, int]]) -> Floats:
     graph = coo_array((weights, (index[:, 0], index[:, 1])), shape=(len(used),) * 2).tocsr()
 
     def farthest(start: int) -> tuple[int, NDArray[np.intp]]:
-        distances, before = dijkstra(
-            graph, directed=False, indices=start, return_predecessors=True
-        )
+        distances, before = dijkstra(graph, directed=False, indices=start, return_predecessors=True)
         distances[~np.isfinite(distances)] = -1.0
         return int(np.argmax(distances)), before
 

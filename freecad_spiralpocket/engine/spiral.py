@@ -97,7 +97,9 @@ def zones(lap: LineString, target: LineString, radius: float, widest: float) -> 
     return starts[good[np.unique(np.linspace(0, len(good) - 1, ZONES).astype(int))]]
 
 
-def spiral_through(first: LineString, start: float, laps: Sequence[LineString], radius: float) -> Floats:
+def spiral_through(
+    first: LineString, start: float, laps: Sequence[LineString], radius: float
+) -> Floats:
     """Return the spiral from `first`, which is already cut, through `laps`.
 
     Parameters

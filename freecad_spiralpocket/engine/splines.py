@@ -91,9 +91,9 @@ def multiply_linear(beziers: Floats, start: Floats, end: Floats) -> Floats:
     share = (np.arange(count + 1) / count)[None, :, None]
     padded = np.zeros((n, count + 2, 2))
     padded[:, 1:-1] = beziers
-    return (1 - share) * start[:, None, None] * padded[:, 1:] + share * end[
-        :, None, None
-    ] * padded[:, :-1]
+    return (1 - share) * start[:, None, None] * padded[:, 1:] + share * end[:, None, None] * padded[
+        :, :-1
+    ]
 
 
 def join_c2(beziers: Floats, breaks: Floats) -> SplineCurve:

@@ -105,9 +105,13 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
         if ringed is not None:
             starts.append(ringed)
     if not starts:
-        raise failure if failure is not None else CutterDoesNotFitError(
-            "The cutter has no room to go down anywhere in the pocket.",
-            "Take a smaller cutter.",
+        raise (
+            failure
+            if failure is not None
+            else CutterDoesNotFitError(
+                "The cutter has no room to go down anywhere in the pocket.",
+                "Take a smaller cutter.",
+            )
         )
     return starts
 
@@ -171,7 +175,9 @@ def _straightest(ring: LineString, window: float) -> float:
 
     def heading_at(s: Floats) -> Floats:
         turns = np.floor(s / ring.length)
-        edge = np.clip(np.searchsorted(along, s % ring.length, side="right") - 1, 0, len(heading) - 1)
+        edge = np.clip(
+            np.searchsorted(along, s % ring.length, side="right") - 1, 0, len(heading) - 1
+        )
         return heading[edge] + 2 * np.pi * turns
 
     bends = sum(

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely import Polygon
 
 from .model import Floats
@@ -74,27 +75,36 @@ def _new_runs(ring: shapely.LinearRing, before: Polygon) -> list[tuple[Floats, b
     points, new, step = (np.roll(v, -first, axis=0) for v in (points, new, step))
     geometry = np.roll(geometry, -first)
     along = np.concatenate([[0.0], np.cumsum(step)])
+    merged = _merged(new, along)
+    if merged is None:
+        return [(points, True)]
+    kept = []
+    for a, b in merged:
+        here = geometry[np.arange(a, b + 1) % len(points)]
+        if not shapely.dwithin(before, here, THINNEST).all():
+            kept.append((_overrun(points, along, float(along[-1]), a, b), False))
+    return kept
+
+
+def _merged(new: NDArray[np.bool_], along: Floats) -> list[list[int]] | None:
+    """Return first and last index of each run of `new`, short gaps closed; None for the whole ring.
+
+    The ring begins in a gap; a run that goes on through its beginning starts at a negative index.
+    """
     edges = np.flatnonzero(np.diff(np.concatenate([[0], new.astype(np.int8), [0]])))
     runs = [[a, b - 1] for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)]
-    total = along[-1]
     merged = [runs[0]]
     for run in runs[1:]:
         if along[run[0]] - along[merged[-1][1]] < GAP:
             merged[-1][1] = run[1]
         else:
             merged.append(run)
-    if total - along[merged[-1][1]] + along[merged[0][0]] < GAP:
+    if along[-1] - along[merged[-1][1]] + along[merged[0][0]] < GAP:
         if len(merged) == 1:
-            return [(points, True)]
+            return None
         last = merged.pop()
-        merged[0] = [last[0] - len(points), merged[0][1]]
-    kept = []
-    for a, b in merged:
-        run = np.arange(a, b + 1) % len(points)
-        if shapely.dwithin(before, geometry[run], THINNEST).all():
-            continue
-        kept.append((_overrun(points, along, total, a, b), False))
-    return kept
+        merged[0] = [last[0] - len(new), merged[0][1]]
+    return merged
 
 
 def _overrun(points: Floats, along: Floats, total: float, a: int, b: int) -> Floats:

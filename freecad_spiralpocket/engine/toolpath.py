@@ -158,7 +158,12 @@ class ToolpathBuilder:
             self.line((x, y, z), feed, role)
 
     def arc(
-        self, point: Sequence[float], center: Sequence[float], ccw: bool, feed: float, role: Role
+        self,
+        point: Sequence[float],
+        center: Sequence[float] | Floats,
+        ccw: bool,
+        feed: float,
+        role: Role,
     ) -> None:
         """Move along an arc of at most half a turn about `center`, (x, y) [mm]."""
         kind = Kind.ARC_CCW if ccw else Kind.ARC_CW

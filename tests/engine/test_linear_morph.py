@@ -63,7 +63,7 @@ def test_spiral_is_c2(pocket):
 
 
 def test_circle_gives_the_archimedean_spiral():
-    region, path = spiral_of(CIRCLE)
+    _, path = spiral_of(CIRCLE)
     center = np.array([10.0, 5.0])
     rays = path.passes[0].points - center
     radius = np.hypot(rays[:, 0], rays[:, 1])

@@ -108,7 +108,7 @@ def test_slot_sinks_by_its_bite_a_loop_and_ends_flat_where_its_ring_begins(depth
     flat = np.hypot(*(toolpath.points - toolpath.starts)[:, :2].T)
     assert (drop[1:] <= flat[1:] * math.tan(angle) + 1e-9).all() and (drop >= -1e-12).all()
     last_lap = along > along[-1] - 92 + 1e-6
-    assert (toolpath.points[last_lap, 2] == pytest.approx(-depth))
+    assert toolpath.points[last_lap, 2] == pytest.approx(-depth)
     np.testing.assert_allclose(toolpath.points[-1], [*ring[0], -depth], atol=1e-9)
 
 

@@ -21,7 +21,7 @@ from ..fronts import FrontRules, grow, oriented
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
 from ..model import Floats, PocketRequest
-from ..ordering import Run, Step, order, runs_of
+from ..ordering import Step, order, runs_of
 from ..starts import Start, candidates, slot_bite
 from ..strokes import Stroke, strokes_of
 from ..toolpath import Role
@@ -72,7 +72,12 @@ def promising(starts: list[Start], region: Polygon) -> list[Start]:
     simulating them is not worth the time.
     """
     walls = shapely.points(
-        np.vstack([shapely.get_coordinates(r.segmentize(2.0)) for r in (region.exterior, *region.interiors)])
+        np.vstack(
+            [
+                shapely.get_coordinates(r.segmentize(2.0))
+                for r in (region.exterior, *region.interiors)
+            ]
+        )
     )
     far = np.array([shapely.distance(walls, s.visited.exterior).max() for s in starts])
     return [s for s, d in zip(starts, far, strict=True) if d <= HOPELESS * far.min() + 1e-9]
@@ -81,15 +86,13 @@ def promising(starts: list[Start], region: Polygon) -> list[Start]:
 def motion_of(request: PocketRequest) -> Motion:
     """Return what limits the motion between cuts on the request's machine."""
     machine = request.machine or MIDDLING
-    link = min(request.feeds.horizontal_rapid, machine.flat_speed)
+    link = min(request.link_feed, machine.flat_speed)
     cut = min(request.feeds.horizontal, machine.flat_speed)
     least_radius = LEAST_RADIUS * request.cutter_radius
     return Motion(min(machine.acceleration[:2]), link, cut, least_radius)
 
 
-def _steps(
-    start: Start, region: Polygon, request: PocketRequest, motion: Motion
-) -> list[Step]:
+def _steps(start: Start, region: Polygon, request: PocketRequest, motion: Motion) -> list[Step]:
     """Return the cutting runs and links that follow an entry."""
     radius = request.cutter_radius
     rules = FrontRules(
