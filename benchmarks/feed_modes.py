@@ -56,8 +56,8 @@ POCKETS = {
 
 
 def spiral(pocket: Polygon, feed: float, step: float = SPIRAL_STEP) -> Toolpath:
-    """Return the Linear Morph path."""
-    return plan(
+    """Return the Linear Morph path at one feed."""
+    path = plan(
         PocketRequest(
             pocket,
             DIAMETER,
@@ -67,6 +67,8 @@ def spiral(pocket: Polygon, feed: float, step: float = SPIRAL_STEP) -> Toolpath:
             strategy=Strategy.LINEAR_MORPH,
         )
     ).toolpath
+    is_cut = (path.roles == Role.CUT) | (path.roles == Role.FINISH)
+    return replace(path, feeds=np.where(is_cut, feed, path.feeds))
 
 
 def contour_parallel(pocket: Polygon, feed: float) -> Toolpath:
