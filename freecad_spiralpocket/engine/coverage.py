@@ -63,8 +63,11 @@ def uncut_floor(
     deep = pieces.select(~pieces.rapid & (pieces.heights <= floor + SAME_HEIGHT))
     if len(deep) == 0:
         return _polygons(wanted)
-    doubtful = shapely.get_parts(wanted.difference(_roughly_swept(deep, radius)))
-    arcs, lines = deep.select(deep.is_arc), _chains(deep.select(~deep.is_arc))
+    arcs = deep.select(deep.is_arc)
+    chains = _chains(deep.select(~deep.is_arc))
+    rough = _roughly_swept(np.concatenate([chains, polylines(arcs)]), radius)
+    doubtful = shapely.get_parts(wanted.difference(rough))
+    lines = _segments(chains)
     lines = lines[_near(doubtful, lines, radius)]
     arcs = arcs.select(_near(doubtful, polylines(arcs), radius))
     drilled = deep.select(deep.lengths == 0).ends
@@ -85,19 +88,22 @@ def _near(
 
 
 def _chains(pieces: Pieces) -> NDArray[np.object_]:
-    """Return straight pieces as single lines, those in one line as one."""
-    lines = shapely.line_merge(shapely.multilinestrings(polylines(pieces)))
-    parts = shapely.get_parts(shapely.simplify(lines, CHORD_TOLERANCE, preserve_topology=False))
+    """Return straight pieces as line strings that are as long as the motion is unbroken."""
+    return shapely.get_parts(shapely.line_merge(shapely.multilinestrings(polylines(pieces))))
+
+
+def _segments(chains: NDArray[np.object_]) -> NDArray[np.object_]:
+    """Return the single lines of chains, those in one line as one."""
+    parts = shapely.simplify(chains, CHORD_TOLERANCE, preserve_topology=False)
     points, index = shapely.get_coordinates(parts, return_index=True)
     same = index[1:] == index[:-1]
     return shapely.linestrings(np.stack([points[:-1][same], points[1:][same]], axis=1))
 
 
-def _roughly_swept(pieces: Pieces, radius: float) -> shapely.Geometry:
+def _roughly_swept(lines: NDArray[np.object_], radius: float) -> shapely.Geometry:
     """Return a simple region that is certainly swept, nearly all of it."""
-    lines = shapely.line_merge(shapely.multilinestrings(polylines(pieces)))
     rough = shapely.simplify(lines, ROUGH_MOTION * radius, preserve_topology=False)
-    return rough.buffer(ROUGH_RADIUS * radius, quad_segs=8)
+    return shapely.multilinestrings(rough).buffer(ROUGH_RADIUS * radius, quad_segs=8)
 
 
 def _sectors(arcs: Pieces, radius: float) -> NDArray[np.object_]:
