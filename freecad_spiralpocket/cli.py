@@ -214,7 +214,7 @@ def write(args: argparse.Namespace, job: Any, op: Any) -> None:
     if args.png:
         from . import picture
 
-        picture.draw(op.Proxy.plans, args.png, f"{args.part.stem}, {op.ToolController.Label}")
+        picture.draw(op.Proxy.plans, args.png, f"{args.part.stem}, {op.ToolController.Tool.Label}")
     if args.fcstd:
         job.Document.saveAs(str(args.fcstd.resolve()))
 

@@ -2,6 +2,7 @@
 """The command line: every kind of file in, program, document, picture and report out."""
 
 import json
+import sys
 
 import FreeCAD
 import Part
@@ -148,6 +149,18 @@ def test_a_picture_and_another_post(one_pocket, tmp_path):
     call(part, "--tool", 6, *files, *QUICK)
     assert "(Begin preamble)" in (tmp_path / "p.gcode").read_text(encoding="utf-8")
     assert (tmp_path / "p.png").read_bytes().startswith(PNG_SIGNATURE)
+
+
+def test_a_picture_without_matplotlib_or_folder_is_refused(
+    one_pocket, tmp_path, capsys, monkeypatch
+):
+    part = str(saved(one_pocket, tmp_path / "part.brep"))
+    picture = ["--png", str(tmp_path / "missing" / "p.png")]
+    assert cli.main([part, "--tool", "6", *picture, *QUICK]) == 1
+    assert "Cannot write" in capsys.readouterr().err
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    assert cli.main([part, "--tool", "6", *picture, *QUICK]) == 1
+    assert "library matplotlib" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
