@@ -3,6 +3,7 @@
 
 import sys
 import traceback
+from contextlib import contextmanager
 
 import FreeCAD
 import FreeCADGui
@@ -45,9 +46,9 @@ def no_exceptions():
     assert "Traceback" not in news and "<class '" not in news, news
 
 
-@pytest.fixture
-def doc():
-    """Return an empty document that is closed after the test."""
+@contextmanager
+def new_document():
+    """Yield an empty document that is closed afterwards."""
     document = FreeCAD.newDocument("Test")
     document.UndoMode = 1
     name = document.Name
@@ -59,12 +60,20 @@ def doc():
     pump()
 
 
+@pytest.fixture
+def doc():
+    """Return an empty document that is closed after the test."""
+    with new_document() as document:
+        yield document
+
+
 def add_job(document, solid, diameter, feed=1500.0):
     """Return a job for `solid` with one end mill, made as its command makes it."""
     part = document.addObject("Part::Feature", "Part")
     part.Shape = solid
     document.recompute()
     job = PathJobGui.Create([part], None, False)
+    job.Stock.ExtZpos = 0
     tool_controller = job.Tools.Group[0]
     tool_controller.Tool.Diameter = diameter
     tool_controller.Label = f"TC: {diameter:g} mm end mill"
@@ -92,13 +101,17 @@ def floors(part, z):
     ]
 
 
+def plate():
+    """Return a plate with one rounded pocket of 28 x 20 mm, its top at Z0."""
+    pocket = Part.makeBox(28, 20, 20, Vector(8, 6, -DEPTH))
+    upright = [e for e in pocket.Edges if abs(e.tangentAt(e.FirstParameter).z) > 0.9]
+    return Part.makeBox(44, 32, 12, Vector(0, 0, -12)).cut(pocket.makeFillet(6, upright))
+
+
 @pytest.fixture
 def job(doc):
-    """Return a job for a plate with one rounded pocket, 36 x 24 mm, and a 6 mm end mill."""
-    pocket = Part.makeBox(36, 24, 20, Vector(12, 8, -DEPTH))
-    upright = [e for e in pocket.Edges if abs(e.tangentAt(e.FirstParameter).z) > 0.9]
-    plate = Part.makeBox(60, 40, 15, Vector(0, 0, -15)).cut(pocket.makeFillet(6, upright))
-    return add_job(doc, plate, diameter=6.0)
+    """Return a job for the plate with a 6 mm end mill."""
+    return add_job(doc, plate(), diameter=6.0)
 
 
 @pytest.fixture
