@@ -14,9 +14,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .engine.errors import SetupError
-from .engine.model import Plan
+from .engine.model import Floats, Plan
 from .engine.toolpath import Kind, Role
 
 if TYPE_CHECKING:
@@ -110,22 +111,26 @@ def _draw_moves(axes: Axes, plan: Plan) -> None:
     ):
         chosen = np.flatnonzero(roles == role)
         if len(chosen):
-            line = np.concatenate([_polyline(plan, i) for i in chosen])
-            axes.plot(*line.T, color=color, lw=width, label=label, zorder=order)
+            axes.plot(*_polyline(plan, chosen).T, color=color, lw=width, label=label, zorder=order)
 
 
-def _polyline(plan: Plan, index: int) -> Any:
-    """Return move `index` as points, shape (n, 2), with a gap at its end."""
+def _polyline(plan: Plan, chosen: NDArray[np.int64]) -> Floats:
+    """Return the chosen moves as points, shape (n, 2), with a gap after each."""
     moves = plan.toolpath
-    start, end = moves.starts[index, :2], moves.points[index, :2]
+    starts, ends = moves.starts[chosen, :2], moves.points[chosen, :2]
+    centers, sweeps, is_arc = moves.centers[chosen], moves.sweeps[chosen], moves.is_arc[chosen]
     gap = np.full((1, 2), np.nan)
-    if moves.kinds[index] < Kind.ARC_CW:
-        return np.vstack([start, end, gap])
-    center, sweep = moves.centers[index], moves.sweeps[index]
+    parts = []
+    for start, end, center, sweep, arc in zip(starts, ends, centers, sweeps, is_arc, strict=True):
+        points = _arc(start, center, sweep) if arc else np.vstack([start, end])
+        parts += [points, gap]
+    return np.concatenate(parts)
+
+
+def _arc(start: Floats, center: Floats, sweep: float) -> Floats:
     first = np.arctan2(*(start - center)[::-1])
     angles = first + np.linspace(0, sweep, max(2, int(abs(sweep) / ARC_STEP) + 1))
-    radius = np.hypot(*(start - center))
-    return np.vstack([center + radius * np.c_[np.cos(angles), np.sin(angles)], gap])
+    return center + np.hypot(*(start - center)) * np.c_[np.cos(angles), np.sin(angles)]
 
 
 def _draw_rapids(axes: Axes, plans: Sequence[Plan]) -> None:

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 import Path
 
+from ..engine.model import Floats
 from ..engine.toolpath import Kind, Toolpath
 
 #: Decimals of coordinates in mm: ten times finer than posts write, FreeCAD saves six.
@@ -42,24 +43,28 @@ def from_toolpath(toolpath: Toolpath, *, with_feeds: bool = True) -> list[Any]:
     with_feeds : bool
         Write F words [mm/s] on cutting moves; without them the machine stops and asks.
     """
-    x, y, z = (_rounded(v) for v in toolpath.start)
-    commands = [Path.Command("G0", {"Z": z}), Path.Command("G0", {"X": x, "Y": y, "Z": z})]
-    here = (x, y, z)
-    rows = zip(toolpath.kinds, toolpath.points, toolpath.centers, toolpath.feeds, strict=True)
-    for kind, point, center, feed in rows:
-        there = tuple(_rounded(v) for v in point)
-        if _as_posted(there) == _as_posted(here):
+    start, points = _rounded(toolpath.start), _rounded(toolpath.points).tolist()
+    posted = np.round(points, POST_DECIMALS).tolist()
+    here, seen = start.tolist(), np.round(start, POST_DECIMALS).tolist()
+    commands = [
+        Path.Command("G0", {"Z": here[2]}),
+        Path.Command("G0", dict(zip("XYZ", here, strict=True))),
+    ]
+    moves = zip(
+        toolpath.kinds.tolist(), toolpath.centers.tolist(), toolpath.feeds.tolist(), strict=True
+    )
+    for (kind, center, feed), there, target in zip(moves, points, posted, strict=True):
+        if target == seen:
             continue
         words = dict(zip("XYZ", there, strict=True))
-        if kind >= Kind.ARC_CW and _as_posted(there[:2]) == _as_posted(here[:2]):
+        if kind >= Kind.ARC_CW and target[:2] == seen[:2]:
             kind = Kind.LINE  # nothing of the arc is left but its height
         if kind >= Kind.ARC_CW:
-            words["I"] = _rounded(center[0] - here[0])
-            words["J"] = _rounded(center[1] - here[1])
+            words["I"], words["J"] = _rounded(np.subtract(center, here[:2])).tolist()
         if with_feeds and kind != Kind.RAPID:
-            words["F"] = float(feed)
-        commands.append(Path.Command(_NAMES[Kind(kind)], words))
-        here = there
+            words["F"] = feed
+        commands.append(Path.Command(_NAMES[kind], words))
+        here, seen = there, target
     return commands
 
 
@@ -81,13 +86,9 @@ def without_last_lift(commands: list[Any]) -> list[Any]:
     return commands[:end]
 
 
-def _rounded(value: float) -> float:
-    """Return `value` rounded, never as the negative zero that posts print as -0.000."""
-    return round(float(value), DECIMALS) + 0.0
-
-
-def _as_posted(point: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(np.round(point, POST_DECIMALS))
+def _rounded(values: Floats) -> Floats:
+    """Return `values` rounded, without the negative zeros that posts print as -0.000."""
+    return np.round(values, DECIMALS) + 0.0
 
 
 def _is_same_rapid(commands: list[Any], command: Any) -> bool:
