@@ -46,7 +46,7 @@ def main(folder):
     job = make_job(document)
     model = job.Model.Group[0]
     floors = sorted(selection.find_floors(model), key=lambda f: f.face.BoundBox.XMin)
-    op = api.add_spiral_pocket(job, [(model, [f.name for f in floors])], StepOver=35)
+    op = api.add_spiral_pocket(job, [(model, [f.name for f in floors])])
 
     written = ["rib.FCStd", "rib.png", *POSTS]
     document.saveAs(str(folder / "rib.FCStd"))
