@@ -16,9 +16,10 @@ OPERATION_MODULE = "freecad_spiralpocket.op.operation"
 class Adopter:
     """A document observer; FreeCAD calls its methods."""
 
-    def slotFinishRestoreDocument(self, document: Any) -> None:  # noqa: N802
-        """Look at a document that was opened."""
-        adopt(document)
+    def slotActivateDocument(self, document: Any) -> None:  # noqa: N802
+        """Look at a document that was opened, which ends with this."""
+        if not document.Restoring:
+            adopt(document)
 
     def slotRecomputedDocument(self, document: Any) -> None:  # noqa: N802
         """Look at a document to which a script may have added operations."""
@@ -35,7 +36,7 @@ def adopt(document: Any) -> None:
         for obj in document.findObjects("Path::Feature")
         if isinstance(getattr(obj, "Proxy", None), module.ObjectSpiralPocket)
         and obj.ViewObject is not None
-        and not obj.ViewObject.Proxy
+        and not hasattr(obj.ViewObject.Proxy, "setEdit")  # None or a number
     ]
     if orphans:
         from .viewprovider import ViewProvider

@@ -105,7 +105,7 @@ class ViewProvider(PathOpGui.ViewProvider):
         the job away together with the operation.
         """
         job = panel.document.getObject(panel.job_name)
-        if job is not None and job.ViewObject.Proxy:
+        if job is not None and hasattr(job.ViewObject.Proxy, method):
             getattr(job.ViewObject.Proxy, method)(job)
 
     # --- nothing of the proxy is saved

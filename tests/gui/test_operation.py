@@ -220,8 +220,9 @@ def test_document_does_not_name_the_addons_folder(operation, tmp_path):
     assert not any(b"SpiralPocket.svg" in text for text in texts)
 
 
-def test_operation_without_view_provider_gets_one(operation):
-    operation.ViewObject.Proxy = None
+@pytest.mark.parametrize("proxy", [None, 1])
+def test_operation_without_view_provider_gets_one(operation, proxy):
+    operation.ViewObject.Proxy = proxy
     operation.touch()
     operation.Document.recompute()
     edit(operation)
