@@ -31,7 +31,8 @@ def result_text(obj: Any) -> str:
             small(obj.UncutArea, power=2), small(obj.Gouge.Value)
         ),
     ]
-    return "<br>".join([*map(escape, lines), *(f"<b>{escape(n)}</b>" for n in obj.Notices)])
+    lines += [f"⚠ {notice}" for notice in obj.Notices]
+    return "<br>".join(map(escape, lines))
 
 
 def small(value: float, power: int = 1) -> str:
