@@ -2,9 +2,8 @@
 """Where the cutter may go without cutting, as strokes are done one after the other.
 
 A raster over the cutter-center region. Each pixel knows at which level the fronts
-pass it; the pixels between two fronts fall into pieces, one or a few per stroke.
-When a stroke is done its pieces become free ground. Tests of link candidates are
-then array look-ups, thousands at a time.
+pass it, and so the stroke that frees it: the nearest one of that level. Tests of
+link candidates are then array look-ups, thousands at a time.
 """
 
 from __future__ import annotations
@@ -14,10 +13,14 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
+from scipy.spatial import cKDTree
 from shapely import Polygon
 
 from .model import Floats
 from .strokes import Stroke
+
+#: Pixels from the ends of a path within which the edge of free ground is good enough.
+ENDS = 3.0
 
 
 class ClearedMap:
@@ -30,33 +33,51 @@ class ClearedMap:
     strokes : sequence of Stroke
     region : shapely.Polygon
         The cutter-center region; ringed islands are holes here, filled in the fronts.
+    late : sequence of shapely.Polygon
+        Ground inside the first front that only strokes of level ``len(fronts)`` free.
+    reach : float
+        Ground farther than this from all strokes of its level needs none [mm].
     pixel : float
         [mm]
     """
 
     def __init__(
-        self, fronts: Sequence[Polygon], strokes: Sequence[Stroke], region: Polygon, pixel: float
+        self,
+        fronts: Sequence[Polygon],
+        strokes: Sequence[Stroke],
+        region: Polygon,
+        late: Sequence[Polygon],
+        reach: float,
+        pixel: float,
     ) -> None:
-        x0, y0, x1, y1 = fronts[-1].bounds
-        self.pixel = pixel
+        x0, y0, x1, y1 = region.bounds
+        self.pixel, self.reach = pixel, reach
         self.origin = np.array([x0 - 2 * pixel, y0 - 2 * pixel])
         self.shape = (int((y1 - y0) / pixel) + 5, int((x1 - x0) / pixel) + 5)
-        level = np.full(self.shape, len(fronts), np.int32)
+        level = np.full(self.shape, len(fronts) + 1, np.int32)
         for k in range(len(fronts) - 1, -1, -1):
             level[self.rasterize(fronts[k])] = k
-        self._level = level
-        self._pieces, self._piece_of = self._label(len(fronts))
-        self._inside = ndimage.binary_dilation(self.rasterize(region))
-        self._waiting, self._stroke_pieces = self._assign(strokes)
-        # a piece that needs no stroke holds no stock: the cutter reached over it
-        idle = self._waiting[self._pieces] == 0
-        self.free = ndimage.binary_dilation((level < len(fronts)) & idle) & self._inside
+        for zone in late:
+            level[self.rasterize(zone) & (level == 0)] = len(fronts)
+        self._inside = self.rasterize(region)
+        owner = self._owners(level, strokes)
+        order = np.argsort(owner, axis=None, kind="stable")
+        bounds = np.searchsorted(owner.ravel()[order], np.arange(len(strokes) + 1))
+        self._cells_of = [order[a:b] for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
+        # ground that needs no stroke holds no stock: the cutter reached over it
+        idle = owner < 0
+        cleared = (level <= len(fronts)) & idle & self._inside
+        #: Within a pixel of cleared ground: strokes begin and end on the very edge of it.
+        self.near = ndimage.binary_dilation(cleared)
+        #: Cleared ground, and beside a wall the pixel that the wall cuts through.
+        self.free = cleared | (self.near & ~self._inside)
 
     def rasterize(self, polygon: Polygon) -> NDArray[np.bool_]:
         """Return which pixel centers are inside a polygon, by parity along the rows."""
         flips = np.zeros((self.shape[0], self.shape[1] + 1), np.int8)
         for ring in (polygon.exterior, *polygon.interiors):
             points = (np.asarray(ring.coords) - self.origin) / self.pixel - 0.5
+            points[:, 1] = np.clip(points[:, 1], 0, self.shape[0] - 1)
             a, b = points[:-1], points[1:]
             low = np.ceil(np.minimum(a[:, 1], b[:, 1])).astype(int)
             high = np.ceil(np.maximum(a[:, 1], b[:, 1])).astype(int)  # half open: low <= row < high
@@ -69,36 +90,24 @@ class ClearedMap:
             np.add.at(flips, (row, np.clip(column, 0, self.shape[1])), 1)
         return (np.cumsum(flips[:, :-1], axis=1) & 1).astype(bool)
 
-    def _label(self, n_levels: int) -> tuple[NDArray[np.int32], list[NDArray[np.intp]]]:
-        """Return the piece of each pixel (0: none) and each piece's flat pixel indices."""
-        pieces = np.zeros(self.shape, np.int32)
-        count = 0
-        for k in range(1, n_levels):
-            labels, n = ndimage.label(self._level == k, structure=np.ones((3, 3)))
-            pieces[labels > 0] = labels[labels > 0] + count
-            count += n
-        order = np.argsort(pieces, axis=None, kind="stable")
-        bounds = np.searchsorted(pieces.ravel()[order], np.arange(count + 2))
-        return pieces, [order[bounds[i] : bounds[i + 1]] for i in range(count + 1)]
-
-    def _assign(self, strokes: Sequence[Stroke]) -> tuple[NDArray[np.int64], list[list[int]]]:
-        """Return how many strokes each piece waits for, and the pieces of each stroke."""
-        waiting = np.zeros(len(self._piece_of), np.int64)
-        assigned = []
-        for stroke in strokes:
-            ahead = np.gradient(stroke.points, axis=0)
-            ahead /= np.hypot(ahead[:, 0], ahead[:, 1])[:, None] + 1e-12
-            left = np.column_stack([-ahead[:, 1], ahead[:, 0]])
-            found: set[int] = set()
-            for share in (0.6, 1.4):
-                row, column = self.cells(stroke.points + share * self.pixel * left)
-                here = self._level[row, column] == stroke.level
-                found.update(np.unique(self._pieces[row, column][here]).tolist())
-            found.discard(0)
-            assigned.append(sorted(found))
-            for piece in found:
-                waiting[piece] += 1
-        return waiting, assigned
+    def _owners(
+        self, level: NDArray[np.int32], strokes: Sequence[Stroke]
+    ) -> NDArray[np.int32]:
+        """Return which stroke frees each pixel: the nearest of its level; -1 where none does."""
+        owner = np.full(self.shape, -1, np.int32)
+        of_level: dict[int, list[int]] = {}
+        for i, stroke in enumerate(strokes):
+            of_level.setdefault(stroke.level, []).append(i)
+        for k, members in of_level.items():
+            mask = level == k
+            points = np.concatenate([strokes[i].points for i in members])
+            which = np.repeat(members, [len(strokes[i].points) for i in members])
+            rows, columns = np.nonzero(mask)
+            places = self.origin + self.pixel * (np.column_stack([columns, rows]) + 0.5)
+            distance, nearest = cKDTree(points).query(places, distance_upper_bound=self.reach)
+            found = np.isfinite(distance)
+            owner[rows[found], columns[found]] = which[nearest[found]]
+        return owner
 
     def cells(self, points: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         """Return row and column of each point's pixel, clipped to the raster."""
@@ -107,19 +116,26 @@ class ClearedMap:
         column = np.clip(cell[..., 0], 0, self.shape[1] - 1)
         return row, column
 
-    def is_free(self, points: Floats) -> NDArray[np.bool_]:
-        """Return which points, shape (..., 2) [mm], are free ground, within one pixel."""
-        return self.free[self.cells(points)]
+    def are_free(self, paths: Floats) -> NDArray[np.bool_]:
+        """Return which paths, shape (..., n, 2) [mm], keep to free ground.
+
+        At both ends, for a few pixels, the edge of free ground is good enough.
+        """
+        cells = self.cells(paths)
+        from_start = np.hypot(*np.moveaxis(paths - paths[..., :1, :], -1, 0))
+        from_end = np.hypot(*np.moveaxis(paths - paths[..., -1:, :], -1, 0))
+        at_end = np.minimum(from_start, from_end) < ENDS * self.pixel
+        return (self.free[cells] | (at_end & self.near[cells])).all(axis=-1)
 
     def finish(self, stroke: int) -> None:
-        """Free the pieces for which this stroke was the last one needed."""
+        """Free the ground of a stroke that is done."""
         width = self.shape[1]
-        for piece in self._stroke_pieces[stroke]:
-            self._waiting[piece] -= 1
-            if self._waiting[piece] == 0:
-                cells = self._piece_of[piece]
-                rows, columns = cells // width, cells % width
-                for dr, dc in ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0)):
-                    r = np.clip(rows + dr, 0, self.shape[0] - 1)
-                    c = np.clip(columns + dc, 0, width - 1)
-                    self.free[r, c] = self._inside[r, c]
+        rows, columns = self._cells_of[stroke] // width, self._cells_of[stroke] % width
+        inside = self._inside[rows, columns]
+        rows, columns = rows[inside], columns[inside]
+        self.free[rows, columns] = True
+        for dr, dc in ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0)):
+            r = np.clip(rows + dr, 0, self.shape[0] - 1)
+            c = np.clip(columns + dc, 0, width - 1)
+            self.near[r, c] = True
+            self.free[r, c] |= ~self._inside[r, c]

@@ -33,7 +33,7 @@ from .toolpath import Role, Toolpath
 #: Ratio of neighboring rungs.
 RUNG = 1.08
 #: Ratios this share below a rung still count as on it: no engagement is known better.
-DEAD_BAND = 0.03
+DEAD_BAND = 0.01
 #: Up to so much times the limit and a little more [rad] engagement counts as at the limit: the
 #: chip is then at most 5 % thicker, and every lap would flicker.
 SLACK, SLACK_ANGLE = 1.05, np.radians(2.0)

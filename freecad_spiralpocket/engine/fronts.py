@@ -127,7 +127,7 @@ def _stepped_ring(ring: shapely.LinearRing, omega: Polygon, rules: FrontRules) -
     return points + step[:, None] * normal
 
 
-def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Region:
+def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
     """Return the visited region after one more lap or set of strokes.
 
     Parameters
@@ -137,6 +137,7 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Region:
     omega : shapely.Polygon
         The cutter-center region; contains `visited`.
     """
+    visited = _without_idle_holes(visited, omega, rules)
     shell = _stepped_ring(visited.exterior, omega, rules)
     holes = []
     for ring in visited.interiors:
@@ -157,8 +158,17 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Region:
             break
     else:
         grown = shapely.intersection(grown, buffer(visited, REACHED * rules.cutter_radius))
-    moved = shapely.union(grown, visited)
-    return shapely.simplify(moved, 0.002)
+    return shapely.simplify(largest(shapely.union(grown, visited)), 0.002)
+
+
+def _without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
+    """Fill the holes in which no stock stands: the cutter reached over them from all around."""
+    kept = []
+    for ring in visited.interiors:
+        hole = Polygon(ring)
+        if not omega.contains(hole) or not hole.buffer(-IDLE * rules.cutter_radius).is_empty:
+            kept.append(ring)
+    return visited if len(kept) == len(visited.interiors) else Polygon(visited.exterior, kept)
 
 
 def _is_reached(moved: Region, visited: Polygon, rules: FrontRules) -> bool:
@@ -184,6 +194,8 @@ def largest(shape: Region) -> Polygon:
 REACH, EVEN = 0.8, 0.6
 #: A front goes no farther than this beyond the last, over R: there the cutter reached over.
 REACHED = 0.92
+#: A hole this narrow holds no stock, half its width over R.
+IDLE = 0.995
 #: Growth ends when a step adds less than this share of the last stroke's area.
 STALLED = 0.02
 #: What is left beyond a neck is worth going through it if larger than this times R^2.
@@ -192,10 +204,14 @@ ROOM = 6.0
 MAX_FRONTS = 2000
 #: Left-over pieces of less area are not worth a stroke [mm2].
 SLIVER = 1e-3
-#: Fillet radii tried in the corners, over R; the smallest whose bite keeps below the share of the
+#: Fillet radii tried in the corners, over R; the smallest whose bite keeps below a share of the
 #: step-over is taken at once.
 CORNER_FILLETS = (0.0, 0.17, 0.27, 0.4, 0.57, 0.77, 1.0, 1.3)
-CORNER_BITE, LAST_BITE = 0.65, 0.73
+#: These shares before the last stroke and for it: where the wall turns at once, the engagement
+#: jumps, so that less may be left for it.
+ROUND_BITES, SHARP_BITES = (0.65, 0.73), (0.5, 0.5)
+#: A corner is sharp if the first of the fillets leaves more than this of it, over R.
+SHARP = 0.03
 
 
 def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
@@ -221,11 +237,11 @@ def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
             grown = _through_neck(fronts[-1], omega, rules)
             if grown is None:
                 break
-        fronts.append(oriented(largest(grown)))
+        fronts.append(oriented(grown))
     return fronts + finish_corners(fronts[-1], omega, rules)
 
 
-def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Region | None:
+def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon | None:
     """Return the next front where only a neck too narrow for the fillet leads on, or None."""
     rest = shapely.get_parts(shapely.difference(omega, visited))
     if not (shapely.area(rest) > ROOM * rules.cutter_radius**2).any():
@@ -272,11 +288,15 @@ def _corner_step(
     piece: Polygon, visited: Polygon, opened: list[Region], rules: FrontRules
 ) -> Region:
     """Return the part of a corner that the next stroke takes."""
+    tips = shapely.points(shapely.get_coordinates(piece))
+    sharp = not shapely.dwithin(opened[1], tips, SHARP * rules.cutter_radius).all()
+    bite, last = SHARP_BITES if sharp else ROUND_BITES
+    taken: Region = piece
     for share, shape in zip(CORNER_FILLETS, opened, strict=True):
-        limit = (LAST_BITE if share == 0 else CORNER_BITE) * rules.stepover
+        limit = (last if share == 0 else bite) * rules.stepover
         taken = piece if share == 0 else shapely.intersection(shape, piece)
         points = shapely.points(shapely.get_coordinates(taken))
         if len(points) and shapely.dwithin(visited, points, limit).all():
             return taken
     # deeper than any fillet: one ordinary step into it
-    return shapely.intersection(piece, buffer(visited, CORNER_BITE * rules.stepover))
+    return shapely.intersection(piece, buffer(visited, bite * rules.stepover))

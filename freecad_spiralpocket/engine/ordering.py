@@ -254,7 +254,7 @@ def _next(
     for first in range(0, len(ready), TRIED):
         tried = ready[first : first + TRIED]
         paths = hermite_links(start, heading, starts[tried], headings[tried], radius)
-        free = cleared.is_free(paths).all(axis=-1)
+        free = cleared.are_free(paths)
         times = np.where(free, link_times(paths, motion), np.inf)
         for flat in np.argsort(times, axis=None, kind="stable")[: free.sum()][:40]:
             m, h = np.unravel_index(flat, times.shape)

@@ -51,7 +51,7 @@ def route(
             [start, start + handle * heading / 2, middle, end - handle * arriving / 2, end]
         )
         curve = _clamped(controls, max(25, int(line.length / 0.5)))
-        if cleared.is_free(curve).all() and fence.covers(LineString(curve)):
+        if cleared.are_free(curve) and fence.covers(LineString(curve)):
             return curve
     return None
 
@@ -65,7 +65,7 @@ def _clamped(controls: Floats, count: int) -> Floats:
 
 def _shortest(start: Floats, end: Floats, cleared: ClearedMap) -> Floats | None:
     """Return the shortest way over the coarse grid, its ends replaced by the exact ones."""
-    free = cleared.free
+    free = cleared.near
     rows, columns = (n // COARSE for n in free.shape)
     blocks = free[: rows * COARSE, : columns * COARSE].reshape(rows, COARSE, columns, COARSE)
     open_ = blocks.all(axis=(1, 3))

@@ -13,6 +13,8 @@ import math
 
 import numpy as np
 import shapely
+import shapely.ops
+from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
 from ..cleared import ClearedMap
@@ -22,6 +24,7 @@ from ..linking import Motion, link_times
 from ..machine import MIDDLING
 from ..model import Floats, PocketRequest
 from ..ordering import Step, order, runs_of
+from ..spiral import between
 from ..starts import Start, candidates, slot_bite
 from ..strokes import Stroke, strokes_of
 from ..toolpath import Role
@@ -34,6 +37,10 @@ FILLET = 1.75
 LEAST_RADIUS = 0.25
 #: A start is hopeless whose farthest wall is farther than this over the nearest one's.
 HOPELESS = 2.2
+#: Strokes at the mouths of bridges begin and end so much early and late, over R.
+OVERRUN = 0.5
+#: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
+CUSP = 0.8
 #: Raster pixels across the cutter.
 PIXELS = 24
 
@@ -71,15 +78,14 @@ def promising(starts: list[Start], region: Polygon) -> list[Start]:
     Fronts from elsewhere would need so many more levels, each with its strokes and links, that
     simulating them is not worth the time.
     """
-    walls = shapely.points(
-        np.vstack(
-            [
-                shapely.get_coordinates(r.segmentize(2.0))
-                for r in (region.exterior, *region.interiors)
-            ]
-        )
+    rings = (region.exterior, *region.interiors)
+    walls = np.vstack([shapely.get_coordinates(r.segmentize(2.0)) for r in rings])
+    far = np.array(
+        [
+            cKDTree(shapely.get_coordinates(s.visited.exterior.segmentize(1.0))).query(walls)[0].max()
+            for s in starts
+        ]
     )
-    far = np.array([shapely.distance(walls, s.visited.exterior).max() for s in starts])
     return [s for s, d in zip(starts, far, strict=True) if d <= HOPELESS * far.min() + 1e-9]
 
 
@@ -99,33 +105,44 @@ def _steps(start: Start, region: Polygon, request: PocketRequest, motion: Motion
         radius, request.engagement_limit, CLOSING * radius, FILLET * request.cutting.stepover
     )
     fronts = grow(start.visited, start.omega, rules)
+    mouths = _mouths(start, region, OVERRUN * radius)
     strokes = strokes_of(fronts)
-    strokes += _mouths(start, region, len(fronts))
+    strokes += [Stroke(m, len(fronts), False, False) for m in mouths]
     if not strokes:
         return []
-    cleared = ClearedMap(fronts, strokes, region, request.tool_diameter / PIXELS)
+    # where a bridge meets an island a cusp stands until that wall is cut
+    late = [
+        shapely.ops.substring(LineString(m), OVERRUN * radius, -OVERRUN * radius).buffer(
+            CUSP * radius, cap_style="flat", quad_segs=4
+        )
+        for m in mouths
+    ]
+    cleared = ClearedMap(
+        fronts, strokes, region, late, radius, request.tool_diameter / PIXELS
+    )
     runs = runs_of(strokes, fronts, start.ring, radius, rules.stepover)
     here, ahead = shapely.get_coordinates(start.ring)[:2]
     heading = (ahead - here) / np.hypot(*(ahead - here))
     return order(runs, cleared, region, here, heading, motion, radius)
 
 
-def _mouths(start: Start, region: Polygon, level: int) -> list[Stroke]:
-    """Return the strokes along ringed islands where bridges meet them.
+def _mouths(start: Start, region: Polygon, overrun: float) -> list[Floats]:
+    """Return the parts of ringed islands' walls where bridges meet them.
 
-    They lean on all laps around them, which make the room to reach them: `level` is the last.
+    They are cut last: the laps around them make the room to reach them. Each runs on by `overrun`
+    at both ends.
     """
-    if len(start.omega.interiors) == len(region.interiors):
-        return []
     ring = shapely.buffer(start.ring, 0.05)
-    strokes = []
+    mouths = []
     for wall in region.interiors:
         if start.omega.contains(wall):
-            rest = shapely.difference(LineString(wall.coords), ring)
-            for part in shapely.get_parts(shapely.line_merge(rest)):
+            line = LineString(wall.coords)
+            rest = shapely.line_merge(shapely.difference(line, ring))
+            for part in shapely.get_parts(rest):
                 if part.length > 0.1:
-                    strokes.append(Stroke(shapely.get_coordinates(part), level, False, False))
-    return strokes
+                    begin = line.project(shapely.Point(part.coords[0]))
+                    mouths.append(between(line, begin - overrun, part.length + 2 * overrun))
+    return mouths
 
 
 def _seconds(start: Start, steps: list[Step], request: PocketRequest, motion: Motion) -> float:

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Automatic: any pocket is cleared, gently, inside its walls, without lifts."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from shapely import LineString, Point, Polygon, box
+from shapely.affinity import rotate, scale, translate
+from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TRIANGLE, convex_pockets
+from shapes import request as make_request
+
+from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
+from freecad_spiralpocket.engine.fronts import FrontRules, engagement_step
+from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
+from freecad_spiralpocket.engine.starts import slot_bite
+from freecad_spiralpocket.engine.toolpath import Role
+
+ISLANDS = (
+    box(0, 0, 80, 60)
+    .difference(Point(22, 30).buffer(7))
+    .difference(box(45, 20, 55, 34))
+    .difference(Point(64, 44).buffer(4))
+)
+SLOT = box(0, 0, 25, 8.75)
+POCKETS = {
+    "triangle": TRIANGLE,
+    "square": SQUARE,
+    "circle": CIRCLE,
+    "L": L_SHAPE,
+    "dumbbell": DUMBBELL,
+    "ring": RING,
+    "islands": ISLANDS,
+    "slot": SLOT,
+}
+#: Share of the cutting length whose engagement may pass 1.15 times the limit and 4 degrees.
+OVER = 0.005
+
+
+def automatic(pocket: Polygon, **changes) -> Plan:
+    return plan(make_request(pocket, strategy=Strategy.AUTOMATIC, **changes))
+
+
+def lifts(result: Plan) -> int:
+    """Return how often the cutter leaves the stock."""
+    z = np.concatenate([result.toolpath.start[2:], result.toolpath.points[:, 2]])
+    top = result.request.heights.start_depth
+    return int(((z[1:] > top) & (z[:-1] <= top)).sum())
+
+
+@pytest.mark.parametrize("name", POCKETS)
+def test_pocket_is_cleared_gently_without_lifts(name):
+    result = automatic(POCKETS[name])
+    report = result.report
+    assert report.uncut_area < 0.01
+    assert report.gouge <= 0.01
+    assert report.rapid_hit == 0
+    assert report.link_hit == 0
+    assert report.engagement_p99 <= report.engagement_limit + math.radians(11)
+    assert report.over_limit_share <= OVER
+    assert lifts(result) == 1
+
+
+@settings(max_examples=15, deadline=None, suppress_health_check=list(HealthCheck))
+@given(convex_pockets())
+def test_any_convex_pocket_is_cleared(pocket):
+    try:
+        result = automatic(pocket)
+    except CutterDoesNotFitError:
+        assert pocket.buffer(-3.3).is_empty
+        return
+    assert result.report.uncut_area < 0.01
+    assert result.report.gouge <= 0.01
+    assert lifts(result) == 1
+
+
+@pytest.mark.parametrize("angle", [15.0, 40.0, 90.0])
+def test_turning_and_shifting_the_pocket_changes_little(angle):
+    before = automatic(L_SHAPE).report
+    after = automatic(translate(rotate(L_SHAPE, angle, origin=(0, 0)), 37.0, -211.0)).report
+    assert after.uncut_area < 0.01 and after.gouge <= 0.01
+    assert after.time == pytest.approx(before.time, rel=0.05)
+
+
+@pytest.mark.parametrize("factor", [0.1, 10.0])
+def test_pocket_and_cutter_of_another_size_are_planned(factor):
+    request = make_request(scale(SQUARE, factor, factor, origin=(0, 0)))
+    heights = Heights(8, 3, 0, -5 * factor, 6 * factor)
+    result = plan(
+        replace(
+            request,
+            tool_diameter=6 * factor,
+            cutting=Cutting(2.4 * factor),
+            heights=replace(heights, clearance=80, safe=30),
+        )
+    )
+    assert result.report.uncut_area < 0.01 * factor**2
+    assert result.report.gouge <= 0.01
+
+
+def test_conventional_runs_the_other_way_round():
+    climb = automatic(L_SHAPE)
+    other = automatic(L_SHAPE, cutting=Cutting(2.4, CutMode.CONVENTIONAL))
+    assert turning(climb) > 2 * math.pi
+    assert turning(other) < -2 * math.pi
+    assert other.report.time == pytest.approx(climb.report.time, rel=0.05)
+    assert other.report.uncut_area < 0.01 and other.report.gouge <= 0.01
+
+
+def turning(result: Plan) -> float:
+    """Return how far all cuts turn in sum, counter-clockwise positive [rad]."""
+    cuts = result.toolpath.roles == Role.CUT
+    steps = (result.toolpath.points - result.toolpath.starts)[cuts, :2]
+    headings = np.arctan2(steps[:, 1], steps[:, 0])
+    return float(((np.diff(headings) + np.pi) % (2 * np.pi) - np.pi).sum())
+
+
+def test_same_request_gives_the_same_path():
+    one, two = automatic(ISLANDS), automatic(ISLANDS)
+    np.testing.assert_array_equal(one.toolpath.points, two.toolpath.points)
+    np.testing.assert_array_equal(one.toolpath.feeds, two.toolpath.feeds)
+
+
+def test_levels_are_cut_one_below_the_other():
+    heights = Heights(8, 3, 0, -5, 2.5)
+    result = automatic(L_SHAPE, heights=heights)
+    cuts = result.toolpath.points[result.toolpath.roles == Role.CUT]
+    assert set(np.round(cuts[:, 2], 6)) == {-2.5, -5.0}
+    assert result.report.uncut_area < 0.01
+
+
+def test_stock_to_leave_keeps_off_the_walls():
+    result = automatic(SQUARE, cutting=Cutting(2.4, stock_to_leave=0.5))
+    moves = LineString(result.toolpath.points[result.toolpath.points[:, 2] < 0][:, :2])
+    assert SQUARE.buffer(-3.49).covers(moves)
+
+
+@pytest.mark.parametrize("curvature", [0.0, 0.05, 0.2, 0.5])
+def test_step_keeps_the_engagement_of_a_growing_disc(curvature):
+    rules = FrontRules(3.0, math.radians(70), 4.0, 4.0)
+    step = float(engagement_step(np.array([curvature]), rules)[0])
+    if curvature == 0:
+        assert step == pytest.approx(rules.stepover, rel=1e-3)
+        return
+    old = 1 / curvature
+    edge, center = old + 3.0, old + step
+    # the rim leaves the cleared disc where its distance to the middle is the edge's radius
+    cosine = (edge**2 - center**2 - 9.0) / (2 * center * 3.0)
+    assert math.acos(cosine) == pytest.approx(math.radians(70), abs=1e-9)
+
+
+def test_slot_bites_as_much_as_the_step_removes_but_not_too_deep():
+    assert slot_bite(make_request(SQUARE)) == pytest.approx(1.8)  # 0.3 D
+    shallow = make_request(SQUARE, cutting=Cutting(1.2))
+    assert slot_bite(shallow) == pytest.approx(1.2 * 5 / 6)
