@@ -9,6 +9,7 @@ link candidates are then array look-ups, thousands at a time.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,7 +64,7 @@ class ClearedMap:
         owner = self._owners(level, strokes)
         order = np.argsort(owner, axis=None, kind="stable")
         bounds = np.searchsorted(owner.ravel()[order], np.arange(len(strokes) + 1))
-        self._cells_of = [order[a:b] for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
+        self._cells_of = [order[a:b] for a, b in pairwise(bounds)]
         # ground that needs no stroke holds no stock: the cutter reached over it
         idle = owner < 0
         cleared = (level <= len(fronts)) & idle & self._inside
@@ -90,9 +91,7 @@ class ClearedMap:
             np.add.at(flips, (row, np.clip(column, 0, self.shape[1])), 1)
         return (np.cumsum(flips[:, :-1], axis=1) & 1).astype(bool)
 
-    def _owners(
-        self, level: NDArray[np.int32], strokes: Sequence[Stroke]
-    ) -> NDArray[np.int32]:
+    def _owners(self, level: NDArray[np.int32], strokes: Sequence[Stroke]) -> NDArray[np.int32]:
         """Return which stroke frees each pixel: the nearest of its level; -1 where none does."""
         owner = np.full(self.shape, -1, np.int32)
         of_level: dict[int, list[int]] = {}

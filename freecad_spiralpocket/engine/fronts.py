@@ -176,8 +176,8 @@ def _is_reached(moved: Region, visited: Polygon, rules: FrontRules) -> bool:
 
     The closing fills gaps; one wider than the cutter reaches over would stay standing.
     """
-    parts = shapely.get_parts(moved)
-    if shapely.get_num_interior_rings(parts).sum() < len(visited.interiors):
+    parts = [moved] if isinstance(moved, Polygon) else moved.geoms
+    if sum(len(p.interiors) for p in parts) < len(visited.interiors):
         return False
     shapely.prepare(visited)
     points = shapely.points(shapely.get_coordinates(moved))
@@ -186,7 +186,7 @@ def _is_reached(moved: Region, visited: Polygon, rules: FrontRules) -> bool:
 
 def largest(shape: Region) -> Polygon:
     """Return the largest polygon of a region, counter-clockwise."""
-    return polygons_of(shape)[0]
+    return oriented(shape) if isinstance(shape, Polygon) else polygons_of(shape)[0]
 
 
 #: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
@@ -214,7 +214,9 @@ ROUND_BITES, SHARP_BITES = (0.65, 0.73), (0.5, 0.5)
 SHARP = 0.03
 
 
-def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
+def grow(
+    start: Polygon, omega: Polygon, rules: FrontRules, most: int = MAX_FRONTS
+) -> list[Polygon] | None:
     """Return the visited region after the entry and after each level of laps and strokes.
 
     Parameters
@@ -224,20 +226,25 @@ def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
     omega : shapely.Polygon
         The cutter-center region.
 
+    most : int
+        Give up beyond so many.
+
     Returns
     -------
-    list of shapely.Polygon
-        Nested, from `start` to `omega` itself.
+    list of shapely.Polygon or None
+        Nested, from `start` to `omega` itself; None if there would be more than `most`.
     """
     fronts = [oriented(start)]
     least = STALLED * rules.stepover * rules.cutter_radius
-    for _ in range(MAX_FRONTS):
+    for _ in range(most):
         grown = advance(fronts[-1], omega, rules)
         if grown.area - fronts[-1].area < least:
             grown = _through_neck(fronts[-1], omega, rules)
             if grown is None:
                 break
         fronts.append(oriented(grown))
+    if len(fronts) > most:
+        return None
     return fronts + finish_corners(fronts[-1], omega, rules)
 
 

@@ -28,7 +28,7 @@ from .skeleton import Skeleton, longest_path, medial_axis, peel
 from .spiral import BLEND, between
 
 #: Shares of the largest clearance down to which the medial axis is peeled.
-PEELED = (1.05, 1.2, 1.45)
+PEELED = (1.1, 1.35)
 #: Half the racetrack's width over D; less where a post would remain in a bend.
 HALF_WIDTHS = (0.46, 0.42, 0.38, 0.33)
 #: Radius of reentrant curves of the racetrack, over R.

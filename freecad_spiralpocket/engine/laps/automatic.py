@@ -18,8 +18,9 @@ from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
 from ..cleared import ClearedMap
+from ..errors import NotYetError
 from ..floor import FloorPath, Helix, Pass
-from ..fronts import FrontRules, grow, oriented
+from ..fronts import MAX_FRONTS, FrontRules, grow, oriented
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
 from ..model import Floats, PocketRequest
@@ -37,6 +38,8 @@ FILLET = 1.75
 LEAST_RADIUS = 0.25
 #: A start is hopeless whose farthest wall is farther than this over the nearest one's.
 HOPELESS = 2.2
+#: One is given up that needs more levels than this over the best.
+HOPELESS_LEVELS = 1.3
 #: Strokes at the mouths of bridges begin and end so much early and late, over R.
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
@@ -61,19 +64,33 @@ def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
     """
     region = oriented(shapely.simplify(region, 0.001))
     motion = motion_of(request)
-    best, least = None, math.inf
+    best, least, most = None, math.inf, MAX_FRONTS
     for start in promising(candidates(region, request), region):
-        steps = _steps(start, region, request, motion)
+        fronts = grow(start.visited, start.omega, rules_of(request), most)
+        if fronts is None:
+            continue
+        most = min(most, int(HOPELESS_LEVELS * len(fronts)) + 3)
+        steps = _steps(start, fronts, region, request, motion)
         seconds = _seconds(start, steps, request, motion)
         if seconds < least:
             best, least = (start, steps), seconds
-    assert best is not None
+    if best is None:
+        raise NotYetError(
+            f"The pocket is more than {MAX_FRONTS} step-overs wide.",
+            "Take a wider cutter or a larger step-over.",
+        )
     start, steps = best
     return FloorPath(start.entry, _passes(steps, request))
 
 
+def rules_of(request: PocketRequest) -> FrontRules:
+    """Return what governs the growth of fronts."""
+    radius, stepover = request.cutter_radius, request.cutting.stepover
+    return FrontRules(radius, request.engagement_limit, CLOSING * radius, FILLET * stepover)
+
+
 def promising(starts: list[Start], region: Polygon) -> list[Start]:
-    """Return the starts from which the farthest wall is not hopelessly far.
+    """Return the starts from which the farthest wall is not hopelessly far, the nearest first.
 
     Fronts from elsewhere would need so many more levels, each with its strokes and links, that
     simulating them is not worth the time.
@@ -82,11 +99,14 @@ def promising(starts: list[Start], region: Polygon) -> list[Start]:
     walls = np.vstack([shapely.get_coordinates(r.segmentize(2.0)) for r in rings])
     far = np.array(
         [
-            cKDTree(shapely.get_coordinates(s.visited.exterior.segmentize(1.0))).query(walls)[0].max()
+            cKDTree(shapely.get_coordinates(s.visited.exterior.segmentize(1.0)))
+            .query(walls)[0]
+            .max()
             for s in starts
         ]
     )
-    return [s for s, d in zip(starts, far, strict=True) if d <= HOPELESS * far.min() + 1e-9]
+    order = np.argsort(far, kind="stable")
+    return [starts[i] for i in order if far[i] <= HOPELESS * far.min() + 1e-9]
 
 
 def motion_of(request: PocketRequest) -> Motion:
@@ -98,13 +118,11 @@ def motion_of(request: PocketRequest) -> Motion:
     return Motion(min(machine.acceleration[:2]), link, cut, least_radius)
 
 
-def _steps(start: Start, region: Polygon, request: PocketRequest, motion: Motion) -> list[Step]:
+def _steps(
+    start: Start, fronts: list[Polygon], region: Polygon, request: PocketRequest, motion: Motion
+) -> list[Step]:
     """Return the cutting runs and links that follow an entry."""
     radius = request.cutter_radius
-    rules = FrontRules(
-        radius, request.engagement_limit, CLOSING * radius, FILLET * request.cutting.stepover
-    )
-    fronts = grow(start.visited, start.omega, rules)
     mouths = _mouths(start, region, OVERRUN * radius)
     strokes = strokes_of(fronts)
     strokes += [Stroke(m, len(fronts), False, False) for m in mouths]
@@ -117,10 +135,8 @@ def _steps(start: Start, region: Polygon, request: PocketRequest, motion: Motion
         )
         for m in mouths
     ]
-    cleared = ClearedMap(
-        fronts, strokes, region, late, radius, request.tool_diameter / PIXELS
-    )
-    runs = runs_of(strokes, fronts, start.ring, radius, rules.stepover)
+    cleared = ClearedMap(fronts, strokes, region, late, radius, request.tool_diameter / PIXELS)
+    runs = runs_of(strokes, fronts, start.ring, radius, request.cutting.stepover)
     here, ahead = shapely.get_coordinates(start.ring)[:2]
     heading = (ahead - here) / np.hypot(*(ahead - here))
     return order(runs, cleared, region, here, heading, motion, radius)
