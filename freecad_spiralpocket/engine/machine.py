@@ -53,8 +53,8 @@ class Machine:
         Of the axes [mm/s3]; infinite for a control that switches acceleration at once.
     path_speed, path_acceleration : float
         Limits along the path, whatever its direction [mm/s], [mm/s2].
-    normal_acceleration : float
-        Limit across the path in bends [mm/s2]; nan where it is `acceleration`'s.
+    normal_acceleration : float or None
+        Limit across the path in bends [mm/s2]; None where it is `acceleration`'s.
     start_overhead : float
         Until the first motion of a program [s].
     block_rate : float
@@ -76,7 +76,7 @@ class Machine:
     jerk: Axes = _UNLIMITED
     path_speed: float = np.inf
     path_acceleration: float = np.inf
-    normal_acceleration: float = np.nan
+    normal_acceleration: float | None = None
     start_overhead: float = 0.0
     block_rate: float = np.inf
     look_ahead: int = 0
@@ -90,7 +90,7 @@ class Machine:
         for name in ("path_speed", "path_acceleration", "corner_value", "block_rate"):
             if not getattr(self, name) > 0:
                 raise ValueError(f"{name} must be positive, got {getattr(self, name)}")
-        if self.normal_acceleration <= 0:
+        if self.normal_acceleration is not None and not self.normal_acceleration > 0:
             raise ValueError(f"normal_acceleration must be positive: {self.normal_acceleration}")
         for name in ("start_overhead", "look_ahead"):
             if getattr(self, name) < 0:
@@ -116,7 +116,7 @@ class Machine:
 
     def acceleration_across(self, normals: Floats) -> Floats:
         """Return the largest normal acceleration [mm/s2] towards each of `normals`, (..., 3)."""
-        if np.isfinite(self.normal_acceleration):
+        if self.normal_acceleration is not None:
             return np.full(normals.shape[:-1], self.normal_acceleration)
         return self.acceleration_along(normals)
 
