@@ -28,11 +28,13 @@ from .skeleton import Skeleton, longest_path, medial_axis, peel
 from .spiral import BLEND, between
 
 #: Shares of the largest clearance down to which the medial axis is peeled.
-PEELED = (1.1, 1.35)
+PEELED = (0.75, 0.95)
+#: The whole tree is tried if it is longer than its longest path by this.
+BRANCHED = 1.15
 #: Half the racetrack's width over D; less where a post would remain in a bend.
 HALF_WIDTHS = (0.46, 0.42, 0.38, 0.33)
-#: Radius of reentrant curves of the racetrack, over R.
-ROUNDING = 1.0
+#: Radius of reentrant curves of the racetrack, over R; the first that leaves no post.
+ROUNDINGS = (1.0, 0.5)
 #: Width of the smoothing of the center curve, over R.
 SMOOTHING = 1.0
 #: A slot's axial bite over D at most.
@@ -91,15 +93,10 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
         starts.append(_point(region, axis, request))
     except CutterDoesNotFitError as error:
         failure = error
-    lengths: list[float] = []
-    for share in PEELED:
-        line = longest_path(axis, peel(axis, share))
-        length = LineString(line).length if len(line) > 1 else 0.0
-        if length > request.cutter_radius and all(abs(length - o) > 1.0 for o in lengths):
-            lengths.append(length)
-            start = _curve(region, line, request)
-            if start is not None:
-                starts.append(start)
+    for spine in _spines(axis, request):
+        start = _curve(region, spine, request)
+        if start is not None:
+            starts.append(start)
     if region.interiors:
         ringed = _island_ring(region, request)
         if ringed is not None:
@@ -128,18 +125,40 @@ def _point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start:
     return Start("point", oriented(Polygon(circle)), region, Helix(center, radius), ring)
 
 
-def _curve(region: Polygon, line: Floats, request: PocketRequest) -> Start | None:
-    spine = _smoothed(line, SMOOTHING * request.cutter_radius)
+def _spines(axis: Skeleton, request: PocketRequest) -> list[shapely.Geometry]:
+    """Return the curves to open: the longest path of the peeled axis, and all of it if branched."""
+    radius = request.cutter_radius
+    spines: list[shapely.Geometry] = []
+    for share in PEELED:
+        edges = peel(axis, share)
+        points = longest_path(axis, edges)
+        if len(points) < 2:
+            continue
+        path = LineString(points)
+        if path.length > radius and all(abs(path.length - o.length) > 1.0 for o in spines):
+            spines.append(_smoothed(path, SMOOTHING * radius))
+            tree = shapely.multilinestrings([axis.nodes[list(edge)] for edge in edges])
+            if tree.length > BRANCHED * path.length and not _has_loop(edges):
+                spines.append(tree)
+    return spines
+
+
+def _has_loop(edges: list[tuple[int, int]]) -> bool:
+    nodes = {node for edge in edges for node in edge}
+    return len(edges) >= len(nodes)
+
+
+def _curve(region: Polygon, spine: shapely.Geometry, request: PocketRequest) -> Start | None:
     for half in HALF_WIDTHS:
         shape = buffer(spine, half * request.tool_diameter)
-        visited = _rounded(shape, region, request)
-        if _leaves_no_post(visited, request):
-            return _slot_start("curve", visited, region, request)
+        for rounding in ROUNDINGS:
+            visited = _rounded(shape, region, rounding * request.cutter_radius)
+            if _leaves_no_post(visited, request):
+                return _slot_start("curve", visited, region, request)
     return None
 
 
-def _smoothed(line: Floats, width: float) -> LineString:
-    raw = LineString(line)
+def _smoothed(raw: LineString, width: float) -> LineString:
     count = max(4, int(raw.length / 0.5))
     points = shapely.get_coordinates(
         shapely.line_interpolate_point(raw, np.linspace(0, raw.length, count))
@@ -148,9 +167,11 @@ def _smoothed(line: Floats, width: float) -> LineString:
     return LineString(gaussian_filter1d(points, sigma, axis=0, mode="nearest"))
 
 
-def _rounded(shape: Polygon, omega: Polygon, request: PocketRequest) -> Polygon:
-    q = ROUNDING * request.cutter_radius
-    return oriented(largest(shapely.intersection(buffer(buffer(shape, q), -q), omega)))
+def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:
+    """Return `shape` within `omega`, its reentrant curves at least of radius `q` [mm]."""
+    bumps = 0.5 * q
+    shape = buffer(buffer(buffer(shape, q), -q - bumps), bumps)
+    return largest(shapely.intersection(shape, omega))
 
 
 def _leaves_no_post(visited: Polygon, request: PocketRequest) -> bool:
@@ -195,7 +216,7 @@ def _island_ring(region: Polygon, request: PocketRequest) -> Start | None:
     for half in HALF_WIDTHS:
         corridors = [buffer(b, half * request.tool_diameter) for b in bridges]
         shape = largest(shapely.union_all([*islands, *corridors]))
-        visited = Polygon(_rounded(shape, filled, request).exterior)
+        visited = Polygon(_rounded(shape, filled, ROUNDINGS[0] * request.cutter_radius).exterior)
         if all(filled.contains(b) for b in bridges):
             return _slot_start("island ring", oriented(visited), filled, request)
     return None
