@@ -105,7 +105,7 @@ TABLE = (
     _option(
         "HelixDiameterLimit",
         "Length",
-        "Largest diameter of the helical entry over all, 0 for as wide as fits",
+        "Limit helix entry diameter, if limit larger than tool diameter or 0, tool diameter is used",
         0.0,
     ),
     _option("Tolerance", "Length", "Largest deviation of the path from the exact curve", 0.01),
