@@ -15,7 +15,7 @@ import sys
 from contextlib import contextmanager
 from pathlib import Path
 
-TAIL = 60  # lines of the log that are shown when something went wrong
+TAIL = 200  # lines of the log that are shown
 
 # Run by FreeCAD as it starts, before its window looks at these settings: no start page
 # (0.20's needs a browser engine that refuses root), no modal message on missing speeds.

@@ -19,6 +19,7 @@ a curve, with the step measured by engagement instead of distance.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
@@ -215,7 +216,11 @@ SHARP = 0.03
 
 
 def grow(
-    start: Polygon, omega: Polygon, rules: FrontRules, most: int = MAX_FRONTS
+    start: Polygon,
+    omega: Polygon,
+    rules: FrontRules,
+    tick: Callable[[], None],
+    most: int = MAX_FRONTS,
 ) -> list[Polygon] | None:
     """Return the visited region after the entry and after each level of laps and strokes.
 
@@ -226,6 +231,8 @@ def grow(
     omega : shapely.Polygon
         The cutter-center region.
 
+    tick : callable
+        Is called once a front; may raise.
     most : int
         Give up beyond so many.
 
@@ -237,6 +244,7 @@ def grow(
     fronts = [oriented(start)]
     least = STALLED * rules.stepover * rules.cutter_radius
     for _ in range(most):
+        tick()
         grown = advance(fronts[-1], omega, rules)
         if grown.area - fronts[-1].area < least:
             grown = _through_neck(fronts[-1], omega, rules)

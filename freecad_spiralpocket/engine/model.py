@@ -34,6 +34,10 @@ Floats = NDArray[np.float64]
 #: Called with the finished fraction [0, 1] and the name of the stage; returns True to cancel.
 Progress = Callable[[float, str], bool]
 
+#: Called by a strategy now and then with the finished fraction of its own work; raises
+#: `CancelledError` if the user cancelled.
+Tick = Callable[[float], None]
+
 
 class CutMode(Enum):
     """On which side of the cutter the stock stands."""

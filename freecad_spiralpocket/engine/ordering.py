@@ -183,6 +183,7 @@ def order(
     heading: Floats,
     motion: Motion,
     radius: float,
+    tick: Callable[[], None],
 ) -> list[Step]:
     """Return the runs in order, each with its link.
 
@@ -198,6 +199,8 @@ def order(
     motion : Motion
     radius : float
         R [mm].
+    tick : callable
+        Is called once a run; may raise.
     """
     fence = shapely.buffer(omega, SLACK)
     shapely.prepare(fence)
@@ -208,6 +211,7 @@ def order(
     open_runs = set(range(len(runs)))
     steps = []
     while open_runs:
+        tick()
         ready = [w for w, (i, _) in enumerate(ways) if i in open_runs and not waiting[i]]
         near = np.argsort(np.hypot(*(starts[ready] - start).T), kind="stable")
         link, taken = _next(

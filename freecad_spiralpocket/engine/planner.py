@@ -33,6 +33,7 @@ from .model import (
     Progress,
     SplineCurve,
     Strategy,
+    Tick,
 )
 from .region import center_regions, unreachable_notices
 from .rendering import render
@@ -44,7 +45,7 @@ from .verify import prove
 #: A path that gouges deeper than the tolerance and this is not handed out [mm].
 GOUGE_SLACK = 0.005
 
-_STRATEGIES: dict[Strategy, Callable[[Polygon, PocketRequest], FloorPath]] = {
+_STRATEGIES: dict[Strategy, Callable[[Polygon, PocketRequest, Tick], FloorPath]] = {
     Strategy.AUTOMATIC: automatic.floor_path,
     Strategy.LINEAR_MORPH: linear_morph.floor_path,
 }
@@ -138,9 +139,16 @@ def _floor_paths(
     strategy = _STRATEGIES[request.strategy]
     paths, failures = [], []
     for i, region in enumerate(regions):
-        _tell(progress, 0.1 + 0.6 * i / len(regions), "Laying the spiral")
+
+        def tick(done: float, room: int = i) -> None:
+            share = (room + done) / len(regions)
+            _tell(progress, 0.1 + 0.6 * share, "Laying the spiral")
+
+        tick(0.0)
         try:
-            paths.append(strategy(_mirrored(region) if mirrored else region, request))
+            paths.append(strategy(_mirrored(region) if mirrored else region, request, tick))
+        except CancelledError:
+            raise
         except SpiralPocketError as error:
             if mirrored and error.place is not None:
                 error.place = (-error.place[0], error.place[1])

@@ -31,6 +31,8 @@ from .spiral import BLEND, between
 PEELED = (0.75, 0.95)
 #: The whole tree is tried if it is longer than its longest path by this.
 BRANCHED = 1.15
+#: Vertices of the tree that matter less than this are left out [mm].
+SPINE_SLACK = 0.1
 #: Half the racetrack's width over D; less where a post would remain in a bend.
 HALF_WIDTHS = (0.46, 0.42, 0.38, 0.33)
 #: Radius of reentrant curves of the racetrack, over R; the first that leaves no post.
@@ -137,7 +139,8 @@ def _spines(axis: Skeleton, request: PocketRequest) -> list[shapely.Geometry]:
         path = LineString(points)
         if path.length > radius and all(abs(path.length - o.length) > 1.0 for o in spines):
             spines.append(_smoothed(path, SMOOTHING * radius))
-            tree = shapely.multilinestrings([axis.nodes[list(edge)] for edge in edges])
+            pieces = shapely.multilinestrings([axis.nodes[list(edge)] for edge in edges])
+            tree = shapely.simplify(shapely.line_merge(pieces), SPINE_SLACK)
             if tree.length > BRANCHED * path.length and not _has_loop(edges):
                 spines.append(tree)
     return spines
@@ -164,7 +167,8 @@ def _smoothed(raw: LineString, width: float) -> LineString:
         shapely.line_interpolate_point(raw, np.linspace(0, raw.length, count))
     )
     sigma = width * count / raw.length
-    return LineString(gaussian_filter1d(points, sigma, axis=0, mode="nearest"))
+    smooth = LineString(gaussian_filter1d(points, sigma, axis=0, mode="nearest"))
+    return shapely.simplify(smooth, 0.01)
 
 
 def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:
@@ -175,7 +179,8 @@ def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:
 
 
 def _leaves_no_post(visited: Polygon, request: PocketRequest) -> bool:
-    swept = buffer(visited.exterior, request.cutter_radius)
+    ring = LineString(shapely.simplify(visited.exterior, 0.01).coords)
+    swept = shapely.buffer(ring, request.cutter_radius, quad_segs=16)
     return bool(shapely.difference(Polygon(visited.exterior), swept).area < 1e-3)
 
 

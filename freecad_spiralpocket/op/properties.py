@@ -105,7 +105,8 @@ TABLE = (
     _option(
         "HelixDiameterLimit",
         "Length",
-        "Limit helix entry diameter, if limit larger than tool diameter or 0, tool diameter is used",
+        "Limit helix entry diameter, if limit larger than tool diameter or 0, tool diameter is "
+        "used",
         0.0,
     ),
     _option("Tolerance", "Length", "Largest deviation of the path from the exact curve", 0.01),

@@ -19,10 +19,14 @@ from freecad_spiralpocket.engine.splines import periodic_cubic
 PAPER = [pytest.param(p, id=n) for n, p in zip("345", (TRIANGLE, SQUARE, PENTAGON), strict=True)]
 
 
+def no_tick(done: float) -> None:
+    """Never cancel."""
+
+
 def spiral_of(pocket: Polygon, **changes):
     request = make_request(pocket, **changes)
     region = center_regions(pocket, 3.0, 0.0)[0]
-    return region, linear_morph.floor_path(region, request)
+    return region, linear_morph.floor_path(region, request, no_tick)
 
 
 def closed_spline(breaks: np.ndarray, controls: np.ndarray) -> BSpline:
@@ -81,7 +85,7 @@ def test_circle_gives_the_archimedean_spiral():
 def test_any_convex_pocket_gets_nested_laps_inside_its_region(pocket):
     regions = center_regions(pocket, 3.0, 0.0)
     try:
-        path = linear_morph.floor_path(regions[0], make_request(pocket))
+        path = linear_morph.floor_path(regions[0], make_request(pocket), no_tick)
     except CutterDoesNotFitError:
         assert regions[0].buffer(-0.2).is_empty
         return

@@ -10,6 +10,8 @@ The way that takes least time on the machine is chosen: simulated, never by rule
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import shapely
@@ -23,10 +25,10 @@ from ..floor import FloorPath, Helix, Pass
 from ..fronts import MAX_FRONTS, FrontRules, grow, oriented
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
-from ..model import Floats, PocketRequest
+from ..model import Floats, PocketRequest, Tick
 from ..ordering import Step, order, runs_of
 from ..spiral import between
-from ..starts import Start, candidates, slot_bite
+from ..starts import Start, candidates
 from ..strokes import Stroke, strokes_of
 from ..toolpath import Role
 
@@ -44,11 +46,13 @@ HOPELESS_LEVELS = 1.3
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
 CUSP = 0.8
+#: A lift, over and down again takes about so long [s].
+LIFT_SECONDS = 3.0
 #: Raster pixels across the cutter.
 PIXELS = 24
 
 
-def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
+def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
     """Make the path of one cutter-center region.
 
     Parameters
@@ -56,6 +60,8 @@ def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
     region : shapely.Polygon
         Counter-clockwise.
     request : PocketRequest
+    tick : callable
+        See `model.Tick`.
 
     Raises
     ------
@@ -65,12 +71,18 @@ def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
     region = oriented(shapely.simplify(region, 0.001))
     motion = motion_of(request)
     best, least, most = None, math.inf, MAX_FRONTS
-    for start in promising(candidates(region, request), region):
-        fronts = grow(start.visited, start.omega, rules_of(request), most)
+    starts = promising(candidates(region, request), region)
+    for i, start in enumerate(starts):
+        done = partial(tick, i / len(starts))
+        fronts = grow(start.visited, start.omega, rules_of(request), done, most)
         if fronts is None:
             continue
         most = min(most, int(HOPELESS_LEVELS * len(fronts)) + 3)
-        steps = _steps(start, fronts, region, request, motion)
+        strokes = strokes_of(fronts)
+        # no links can make up for entry and cuts that take longer already
+        if _entry_seconds(start, request, motion) + _cut_seconds(strokes, motion) > least:
+            continue
+        steps = _steps(start, fronts, strokes, region, request, motion, done)
         seconds = _seconds(start, steps, request, motion)
         if seconds < least:
             best, least = (start, steps), seconds
@@ -119,13 +131,18 @@ def motion_of(request: PocketRequest) -> Motion:
 
 
 def _steps(
-    start: Start, fronts: list[Polygon], region: Polygon, request: PocketRequest, motion: Motion
+    start: Start,
+    fronts: list[Polygon],
+    strokes: list[Stroke],
+    region: Polygon,
+    request: PocketRequest,
+    motion: Motion,
+    tick: Callable[[], None],
 ) -> list[Step]:
     """Return the cutting runs and links that follow an entry."""
     radius = request.cutter_radius
     mouths = _mouths(start, region, OVERRUN * radius)
-    strokes = strokes_of(fronts)
-    strokes += [Stroke(m, len(fronts), False, False) for m in mouths]
+    strokes = strokes + [Stroke(m, len(fronts), False, False) for m in mouths]
     if not strokes:
         return []
     # where a bridge meets an island a cusp stands until that wall is cut
@@ -139,7 +156,7 @@ def _steps(
     runs = runs_of(strokes, fronts, start.ring, radius, request.cutting.stepover)
     here, ahead = shapely.get_coordinates(start.ring)[:2]
     heading = (ahead - here) / np.hypot(*(ahead - here))
-    return order(runs, cleared, region, here, heading, motion, radius)
+    return order(runs, cleared, region, here, heading, motion, radius, tick)
 
 
 def _mouths(start: Start, region: Polygon, overrun: float) -> list[Floats]:
@@ -163,22 +180,30 @@ def _mouths(start: Start, region: Polygon, overrun: float) -> list[Floats]:
 
 def _seconds(start: Start, steps: list[Step], request: PocketRequest, motion: Motion) -> float:
     """Return how long entry, cuts and links take, at the last level [s]."""
-    depth = min(
-        request.heights.step_down, request.heights.start_depth - request.heights.final_depth
-    )
-    slope = math.tan(request.entry.helix_angle)
-    if isinstance(start.entry, Helix):
-        total = (depth / slope + start.ring.length) / motion.cut_feed
-    else:
-        levels = math.ceil(depth / slot_bite(request) - 1e-9)
-        total = (levels * start.ring.length + depth / levels / slope) / motion.cut_feed
+    total = _entry_seconds(start, request, motion)
     for step in steps:
         total += LineString(step.points).length / motion.cut_feed
         if step.link is None:
-            total += 3.0
+            total += LIFT_SECONDS
         elif len(step.link):
             total += float(link_times(step.link[None], motion)[0])
     return total
+
+
+def _entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float:
+    """Return how long the way down takes [s]."""
+    heights = request.heights
+    depth = min(heights.step_down, heights.start_depth - heights.final_depth)
+    slope = math.tan(request.entry.helix_angle)
+    if isinstance(start.entry, Helix):
+        return (depth / slope + start.ring.length) / motion.cut_feed
+    levels = math.ceil(depth / start.entry.bite - 1e-9)
+    return (levels * start.ring.length + depth / levels / slope) / motion.cut_feed
+
+
+def _cut_seconds(strokes: list[Stroke], motion: Motion) -> float:
+    """Return how long the strokes take without any links [s]."""
+    return sum(LineString(s.points).length for s in strokes) / motion.cut_feed
 
 
 def _passes(steps: list[Step], request: PocketRequest) -> tuple[Pass, ...]:

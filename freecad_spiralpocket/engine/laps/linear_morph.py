@@ -29,7 +29,7 @@ from ..entry import fit_helix_radius
 from ..errors import NotYetError
 from ..floor import FloorPath, Helix, Pass
 from ..linking import leave_wall
-from ..model import Floats, PocketRequest
+from ..model import Floats, PocketRequest, Tick
 from ..polyline import ring_from, simplify_inside, turning_samples
 from ..region import grow, polygons_of
 from ..splines import join_c2, multiply_linear, periodic_beziers, periodic_cubic, sample_beziers
@@ -46,7 +46,7 @@ SAMPLE_LENGTH, SAMPLE_TURN = 8.0, 0.5
 HALVINGS = 6
 
 
-def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
+def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
     """Make the spiral of one cutter-center region.
 
     Parameters
@@ -54,6 +54,8 @@ def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
     region : shapely.Polygon
         Counter-clockwise.
     request : PocketRequest
+    tick : callable
+        See `model.Tick`.
 
     Raises
     ------
@@ -67,6 +69,7 @@ def floor_path(region: Polygon, request: PocketRequest) -> FloorPath:
     breaks, outer = wall_spline(region, center, request.cutting.stepover)
     inner = _circle_controls(outer, center, radius)
     turns, beziers = spiral_beziers(breaks, inner, outer, request.cutting.stepover)
+    tick(0.5)
     all_breaks = (np.arange(turns)[:, None] + breaks[None, :-1]).ravel() / turns
     curve = join_c2(beziers, np.append(all_breaks, 1.0))
     spiral = sample_beziers(beziers, request.tolerance / 2)
