@@ -192,7 +192,7 @@ def largest(shape: Region) -> Polygon:
 
 #: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
 #: much, over R: a step that jumps makes waves that grow from lap to lap.
-REACH, EVEN = 0.8, 0.6
+REACH, EVEN = 0.8, 0.9
 #: A front goes no farther than this beyond the last, over R: there the cutter reached over.
 REACHED = 0.92
 #: A hole this narrow holds no stock, half its width over R.

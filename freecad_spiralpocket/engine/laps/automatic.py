@@ -41,7 +41,9 @@ LEAST_RADIUS = 0.25
 #: A start is hopeless whose farthest wall is farther than this over the nearest one's.
 HOPELESS = 2.2
 #: One is given up that needs more levels than this over the best.
-HOPELESS_LEVELS = 1.3
+HOPELESS_LEVELS = 1.8
+#: So few levels are always worth simulating.
+FEW = 14
 #: Strokes at the mouths of bridges begin and end so much early and late, over R.
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
@@ -71,13 +73,13 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     region = oriented(shapely.simplify(region, 0.001))
     motion = motion_of(request)
     best, least, most = None, math.inf, MAX_FRONTS
-    starts = promising(candidates(region, request), region)
+    starts = promising(candidates(region, request), region, FEW * request.cutting.stepover)
     for i, start in enumerate(starts):
         done = partial(tick, i / len(starts))
         fronts = grow(start.visited, start.omega, rules_of(request), done, most)
         if fronts is None:
             continue
-        most = min(most, int(HOPELESS_LEVELS * len(fronts)) + 3)
+        most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
         strokes = strokes_of(fronts)
         # no links can make up for entry and cuts that take longer already
         if _entry_seconds(start, request, motion) + _cut_seconds(strokes, motion) > least:
@@ -101,11 +103,11 @@ def rules_of(request: PocketRequest) -> FrontRules:
     return FrontRules(radius, request.engagement_limit, CLOSING * radius, FILLET * stepover)
 
 
-def promising(starts: list[Start], region: Polygon) -> list[Start]:
+def promising(starts: list[Start], region: Polygon, near: float) -> list[Start]:
     """Return the starts from which the farthest wall is not hopelessly far, the nearest first.
 
     Fronts from elsewhere would need so many more levels, each with its strokes and links, that
-    simulating them is not worth the time.
+    simulating them is not worth the time; unless all walls are within `near` [mm].
     """
     rings = (region.exterior, *region.interiors)
     walls = np.vstack([shapely.get_coordinates(r.segmentize(2.0)) for r in rings])
@@ -118,7 +120,7 @@ def promising(starts: list[Start], region: Polygon) -> list[Start]:
         ]
     )
     order = np.argsort(far, kind="stable")
-    return [starts[i] for i in order if far[i] <= HOPELESS * far.min() + 1e-9]
+    return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), near)]
 
 
 def motion_of(request: PocketRequest) -> Motion:
