@@ -4,9 +4,8 @@
 ``python3 gui_driver.py SECONDS LOG FREECAD SCRIPT`` starts Xvfb, then FreeCAD
 with SCRIPT (`run_in_freecad.py`), whose exit code it hands on. FreeCAD's user
 folder, ``$FREECAD_USER_HOME``, is first preset so that no start page and no
-modal message stands in the way. Everything printed goes to LOG; the tests' own
-part of it is shown, and all of its end when FreeCAD crashes or hangs longer
-than SECONDS.
+modal message stands in the way. Everything printed goes to LOG, and its end is
+shown; a FreeCAD that hangs longer than SECONDS is ended.
 """
 
 import os
