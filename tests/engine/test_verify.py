@@ -46,7 +46,7 @@ def lines(builder: ToolpathBuilder, *points, role: Role = Role.CUT) -> ToolpathB
 
 
 def zigzag(xs: tuple, ys: np.ndarray) -> Toolpath:
-    """Return a path to and fro between two x at the given y."""
+    """Return a path to and back between two x at the given y."""
     builder = started(xs[0], ys[0])
     for i, y in enumerate(ys):
         lines(builder, (xs[i % 2], y), (xs[1 - i % 2], y))
@@ -63,7 +63,7 @@ def uncut_area(pocket: Polygon, path: Toolpath, skin: float = 0.0) -> float:
 
 
 def clears_square(stepover: float = 2.0) -> Toolpath:
-    """Return a path that clears the square: to and fro, then along the walls."""
+    """Return a path that clears the square: to and back, then along the walls."""
     builder = started(3.0, 3.0)
     for i, y in enumerate(np.arange(3.0, 37.0 + 1e-9, stepover)):
         lines(builder, *((3.0, y), (37.0, y))[:: 1 if i % 2 == 0 else -1])
