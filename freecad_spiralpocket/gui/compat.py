@@ -8,10 +8,12 @@ and `command` do without it.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from importlib import import_module
 from typing import Any
 
 from PathScripts import PathUtils
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from ..op.compat import IS_LEGACY, PathOp
 
@@ -31,6 +33,7 @@ __all__ = [
     "PathSelection",
     "PathUtils",
     "check_box_signal",
+    "forget_widgets",
     "has_tool_controller_editor",
     "run_dialog",
     "show_value",
@@ -63,3 +66,15 @@ def run_dialog(dialog: QtGui.QDialog) -> int:
     """Show a modal dialog and return its result (``exec`` is a keyword's ghost in Qt 5)."""
     run = getattr(dialog, "exec", None) or dialog.exec_
     return run()
+
+
+def forget_widgets(widgets: Iterable[Any]) -> None:
+    """Let PySide forget widgets that are gone.
+
+    FreeCAD never gives up the Python objects of a panel's buttons and of 1.1's tool controller
+    editor. PySide would take new widgets at the same addresses for them: calls fail or crash.
+    """
+    is_qt6 = QtCore.QObject.__module__.startswith("PySide6")
+    shiboken = import_module("shiboken6" if is_qt6 else "shiboken2")
+    for widget in widgets:
+        shiboken.invalidate(widget)

@@ -45,6 +45,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
     """The operation's own page; FreeCAD calls its methods."""
 
     fields: Sequence[Field] = ()
+    tool_editors: Sequence[Any] = ()
     is_writing = False
 
     def getForm(self) -> Any:  # noqa: N802 - the name FreeCAD calls
@@ -58,6 +59,12 @@ class OperationPage(PathOpGui.TaskPanelPage):
     def initPage(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Tie the widgets to the properties."""
         self.fields = [kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS]
+
+    def setupToolController(self, *obj_and_combo: Any) -> None:  # noqa: N802
+        """Fill the list of tool controllers; 1.1 makes an editor for the chosen one each time."""
+        super().setupToolController(*obj_and_combo)
+        if getattr(self, "tcEditor", None):
+            self.tool_editors = [*self.tool_editors, self.tcEditor.controller]
 
     def getSignalsForUpdate(self, obj: Any) -> list[Any]:  # noqa: N802
         """Return the signals on which the fields are written."""

@@ -61,4 +61,4 @@ def progress_dialog(label: str) -> Iterator[Progress]:
         yield report
     finally:
         dialog.close()
-        dialog.deleteLater()
+        dialog.setParent(None)  # gone with its last name here

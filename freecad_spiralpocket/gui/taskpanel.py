@@ -21,7 +21,7 @@ from PySide import QtCore, QtGui
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..op.compat import parent_job
 from . import messages
-from .compat import PathOpGui, PathSelection
+from .compat import PathOpGui, PathSelection, forget_widgets
 
 translate = FreeCAD.Qt.translate
 
@@ -85,10 +85,12 @@ class TaskPanel(PathOpGui.TaskPanel):
         return not errors
 
     def panelCleanup(self) -> None:  # noqa: N802 - the name FreeCAD calls
-        """Stop watching the document; part of every way to close."""
+        """Stop watching the document and give up the widgets; part of every way to close."""
         self.is_open = False
         FreeCAD.removeDocumentObserver(self)
         super().panelCleanup()
+        widgets = [self.buttonBox, *self.operation_page.tool_editors]
+        QtCore.QTimer.singleShot(0, lambda: forget_widgets(widgets))
 
     def abandon(self) -> None:
         """Close without touching the operation, which may be gone."""

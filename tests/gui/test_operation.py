@@ -6,6 +6,7 @@ import zipfile
 import FreeCAD
 import FreeCADGui
 import pytest
+from PySide import QtCore
 from snapshot import differences, snapshot
 from window import (
     APPLY,
@@ -13,6 +14,7 @@ from window import (
     OK,
     edit,
     is_panel_open,
+    panel,
     panel_button,
     pixels_that_differ,
     press,
@@ -23,6 +25,8 @@ from window import (
     wait_for,
     widget,
 )
+
+shiboken = pytest.importorskip(QtCore.QObject.__module__.replace("PySide", "shiboken")[:9])
 
 
 def only_operation(job):
@@ -181,6 +185,14 @@ def test_panel_closes_without_work_when_nothing_was_changed(operation):
     assert not is_panel_open()
     assert operation.Proxy.plans[0] is plan
     assert FreeCAD.getActiveTransaction() is None
+
+
+def test_closed_panel_leaves_no_name_for_its_buttons(operation):
+    edit(operation)
+    buttons = panel().buttonBox
+    assert shiboken.isValid(buttons)
+    press(CANCEL)
+    assert not shiboken.isValid(buttons)
 
 
 def test_apply_is_enabled_by_a_change_only(operation):
