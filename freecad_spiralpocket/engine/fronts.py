@@ -199,8 +199,9 @@ REACHED = 0.92
 IDLE = 0.995
 #: Growth ends when a step adds less than this share of the last stroke's area.
 STALLED = 0.02
-#: What is left beyond a neck is worth going through it if larger than this times R^2.
-ROOM = 6.0
+#: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
+#: fillet's: a corner of 30 degrees just holds that.
+ROOM = 0.6
 #: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
 MAX_FRONTS = 2000
 #: Left-over pieces of less area are not worth a stroke [mm2].
@@ -258,8 +259,8 @@ def grow(
 
 def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon | None:
     """Return the next front where only a neck too narrow for the fillet leads on, or None."""
-    rest = shapely.get_parts(shapely.difference(omega, visited))
-    if not (shapely.area(rest) > ROOM * rules.cutter_radius**2).any():
+    rest = shapely.difference(omega, visited)
+    if shapely.buffer(rest, -ROOM * rules.fillet).is_empty:
         return None
     for share in (0.5, 0.25, 0.1):
         finer = replace(rules, fillet=share * rules.fillet)
@@ -283,7 +284,7 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> list[
         for share in CORNER_FILLETS
     ]
     levels = []
-    for _ in range(60):
+    for _ in range(MAX_FRONTS):
         rest = shapely.get_parts(shapely.difference(omega, visited))
         rest = rest[shapely.area(rest) > SLIVER]
         if len(rest) == 0:
@@ -311,7 +312,7 @@ def _corner_step(
         limit = (last if share == 0 else bite) * rules.stepover
         taken = piece if share == 0 else shapely.intersection(shape, piece)
         points = shapely.points(shapely.get_coordinates(taken))
-        if len(points) and shapely.dwithin(visited, points, limit).all():
+        if taken.area > SLIVER and shapely.dwithin(visited, points, limit).all():
             return taken
     # deeper than any fillet: one ordinary step into it
     return shapely.intersection(piece, buffer(visited, bite * rules.stepover))

@@ -37,6 +37,8 @@ SPINE_SLACK = 0.1
 HALF_WIDTHS = (0.46, 0.42, 0.38, 0.33)
 #: Radius of reentrant curves of the racetrack, over R; the first that leaves no post.
 ROUNDINGS = (1.0, 0.5)
+#: The ring keeps off the islands' walls by this [mm].
+CHORD_SLACK = 0.004
 #: Width of the smoothing of the center curve, over R.
 SMOOTHING = 1.0
 #: A slot's axial bite over D at most.
@@ -216,7 +218,8 @@ def _straightest(ring: LineString, window: float) -> float:
 def _island_ring(region: Polygon, request: PocketRequest) -> Start | None:
     """Return the ring round all islands, bridged along a shortest tree; None if it is no ring."""
     filled = Polygon(region.exterior)
-    islands = [Polygon(r) for r in region.interiors]
+    # chords of the ring cut into round islands by about so much
+    islands = [buffer(Polygon(r), CHORD_SLACK) for r in region.interiors]
     bridges = _bridges(islands)
     for half in HALF_WIDTHS:
         corridors = [buffer(b, half * request.tool_diameter) for b in bridges]

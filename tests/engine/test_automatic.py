@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, Phase, given, settings
 from shapely import LineString, Point, Polygon, box
 from shapely.affinity import rotate, scale, translate
 from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TRIANGLE, convex_pockets
@@ -40,6 +40,8 @@ POCKETS = {
 }
 #: Share of the cutting length whose engagement may pass 1.15 times the limit and 4 degrees.
 OVER = 0.005
+#: Share of the floor that may stay: strokes thinner than 0.03 mm are not worth a move.
+SLIVERS = 5e-5
 
 
 def automatic(pocket: Polygon, **changes) -> Plan:
@@ -66,7 +68,13 @@ def test_pocket_is_cleared_gently_without_lifts(name):
     assert lifts(result) == 1
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=list(HealthCheck))
+# each example takes a good part of a second: a failing one is told as it is, not shrunk
+@settings(
+    max_examples=15,
+    deadline=None,
+    suppress_health_check=list(HealthCheck),
+    phases=[Phase.explicit, Phase.reuse, Phase.generate],
+)
 @given(convex_pockets())
 def test_any_convex_pocket_is_cleared(pocket):
     try:
@@ -74,7 +82,7 @@ def test_any_convex_pocket_is_cleared(pocket):
     except CutterDoesNotFitError:
         assert pocket.buffer(-3.3).is_empty
         return
-    assert result.report.uncut_area < 0.01
+    assert result.report.uncut_area < SLIVERS * pocket.area
     assert result.report.gouge <= 0.01
     assert lifts(result) == 1
 
