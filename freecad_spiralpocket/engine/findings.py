@@ -12,6 +12,8 @@ from .model import Notice, PocketRequest
 TOLD_UNCUT = 1e-3
 #: Engagement above this multiple of the limit and this much more is told [rad].
 OVER_FACTOR, OVER_MARGIN = 1.15, np.radians(4.0)
+#: Air moves may touch stock over this length [mm].
+TOUCH = 0.1
 
 Place = tuple[float, float] | None
 
@@ -77,8 +79,11 @@ def tell_engagement(angle: float, place: Place, request: PocketRequest) -> list[
 
 
 def tell_hits(kind: str, length: float, place: Place) -> list[Notice]:
-    """Tell how far moves of a kind ("rapid", "link") run through standing stock [mm]."""
-    if length <= 0:
+    """Tell how far moves of a kind ("rapid", "link") run through standing stock [mm].
+
+    Less than `TOUCH` is the end of a link that meets its cut a sample too early.
+    """
+    if length <= TOUCH:
         return []
     return [
         Notice(

@@ -28,7 +28,7 @@ from .skeleton import Skeleton, longest_path, medial_axis, peel
 from .spiral import BLEND, between
 
 #: Shares of the largest clearance down to which the medial axis is peeled.
-PEELED = (0.75, 0.95)
+PEELED = (0.8,)
 #: The whole tree is tried if it is longer than its longest path by this.
 BRANCHED = 1.15
 #: Vertices of the tree that matter less than this are left out [mm].
