@@ -40,11 +40,10 @@ def has_feeds(tool_controller: Any) -> bool:
     return tool_controller.HorizFeed.Value > 0 and tool_controller.VertFeed.Value > 0
 
 
-def feeds(tool_controller: Any) -> Feeds:
+def feeds(tool_controller: Any, on: Machine) -> Feeds:
     """Return the tool controller's feeds [mm/s].
 
-    A rapid rate of 0, FreeCAD's default, is taken as the feed, as FreeCAD does for its
-    cycle time.
+    A rapid rate of 0, FreeCAD's default, is taken as the machine's; links at depth run at it.
     """
     if not has_feeds(tool_controller):
         return Feeds(STAND_IN_FEED, STAND_IN_FEED, STAND_IN_FEED, STAND_IN_FEED)
@@ -52,8 +51,8 @@ def feeds(tool_controller: Any) -> Feeds:
     return Feeds(
         horizontal=horizontal,
         vertical=vertical,
-        horizontal_rapid=tool_controller.HorizRapid.Value or horizontal,
-        vertical_rapid=tool_controller.VertRapid.Value or vertical,
+        horizontal_rapid=tool_controller.HorizRapid.Value or max(horizontal, on.flat_speed),
+        vertical_rapid=tool_controller.VertRapid.Value or max(vertical, on.speed[2]),
     )
 
 
@@ -65,10 +64,7 @@ def final_depth(obj: Any, z: float, deepest: float) -> float:
 
 @cache
 def machine(name: str) -> Machine:
-    """Return the machine preset `name`, always the same record.
-
-    One of its limits may be nan, so that two records of one preset compare different.
-    """
+    """Return the machine preset `name`, read once."""
     return machines.load(name)
 
 
@@ -86,7 +82,7 @@ def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
             step_down=obj.StepDown.Value,
             finish_depth=obj.FinishDepth.Value,
         ),
-        feeds=feeds(obj.ToolController),
+        feeds=feeds(obj.ToolController, machine(obj.Machine)),
         cutting=Cutting(
             stepover=obj.StepOver / 100 * diameter,
             cut_mode=CutMode(obj.CutMode),
