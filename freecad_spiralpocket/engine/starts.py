@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from scipy.ndimage import gaussian_filter1d
-from shapely import LineString, Point, Polygon
+from shapely import LineString, Polygon
 
 from .entry import fit_helix_radius
 from .errors import CutterDoesNotFitError
@@ -248,12 +248,3 @@ def _bridges(islands: list[Polygon]) -> list[LineString]:
         d = d / (np.hypot(*d) + 1e-12)
         lines.append(LineString([np.array([x0, y0]) - d, np.array([x1, y1]) + d]))
     return lines
-
-
-def islands_inside(start: Start, region: Polygon) -> list[Polygon]:
-    """Return the islands that this start has ringed."""
-    return [
-        Polygon(r)
-        for r in region.interiors
-        if start.omega.contains(Point(shapely.point_on_surface(Polygon(r))))
-    ]
