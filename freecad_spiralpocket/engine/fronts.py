@@ -29,6 +29,7 @@ from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 from shapely import MultiPolygon, Polygon
 
 from .model import Floats
+from .polyline import points_at
 from .region import polygons_of
 
 #: What growing and shrinking return.
@@ -102,11 +103,8 @@ def smooth(shape: Region, closing: float, fillet: float, omega: Polygon) -> Regi
 
 def ring_samples(ring: shapely.LinearRing, spacing: float) -> Floats:
     """Return evenly spaced points of a ring, shape (n, 2) [mm]."""
-    coords = shapely.get_coordinates(ring)
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
-    count = max(16, int(np.ceil(along[-1] / spacing)))
-    at = np.arange(count) * along[-1] / count
-    return np.column_stack([np.interp(at, along, coords[:, i]) for i in (0, 1)])
+    count = max(16, int(np.ceil(ring.length / spacing)))
+    return points_at(ring, np.arange(count) * ring.length / count)
 
 
 def _stepped_ring(ring: shapely.LinearRing, omega: Polygon, rules: FrontRules) -> Floats:
@@ -231,7 +229,6 @@ def grow(
         Visited by the entry.
     omega : shapely.Polygon
         The cutter-center region.
-
     tick : callable
         Is called once a front; may raise.
     most : int

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import shapely
-from shapely import LineString, Point, Polygon
+from shapely import LineString, Point
 
 from .model import Floats
 
@@ -95,11 +95,7 @@ def _spread(closed: Floats, lengths: Floats, at: Floats) -> Floats:
     return np.column_stack([np.interp(s, along, closed[:, i]) for i in (0, 1)])
 
 
-def simplify_inside(points: Floats, region: Polygon, tolerance: float) -> Floats:
-    """Drop points of a polyline along a region's wall where the chords keep within `tolerance`.
-
-    Around islands and reflex corners chords cut into the wall: the caller's tolerance is the most
-    they may [mm].
-    """
+def simplified(points: Floats, tolerance: float) -> Floats:
+    """Drop points of a polyline where the chords keep within `tolerance` [mm]."""
     line = shapely.simplify(LineString(points), tolerance, preserve_topology=False)
-    return np.array(line.coords)
+    return shapely.get_coordinates(line)

@@ -45,7 +45,6 @@ def eased(u: Floats) -> Floats:
 def between(line: LineString, start: float, length: float) -> Floats:
     """Return the points of a closed line from `start` on over `length` [mm], ends included."""
     coords = shapely.get_coordinates(line)
-    total = line.length
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
     total = float(along[-1])
     turns = np.arange(-1, int(np.ceil(length / total)) + 2)

@@ -27,6 +27,7 @@ from ..linking import Motion, link_times
 from ..machine import MIDDLING
 from ..model import Floats, PocketRequest, Tick
 from ..ordering import Step, order, runs_of
+from ..polyline import simplified
 from ..spiral import between
 from ..starts import Start, candidates
 from ..strokes import Stroke, strokes_of
@@ -50,6 +51,8 @@ OVERRUN = 0.5
 CUSP = 0.8
 #: A lift, over and down again takes about so long [s].
 LIFT_SECONDS = 3.0
+#: Points that matter less than this share of the tolerance are dropped.
+SLIM = 0.3
 #: Raster pixels across the cutter.
 PIXELS = 24
 
@@ -209,18 +212,12 @@ def _cut_seconds(strokes: list[Stroke], motion: Motion) -> float:
 
 
 def _passes(steps: list[Step], request: PocketRequest) -> tuple[Pass, ...]:
+    slack = SLIM * request.tolerance
     passes = []
     for step in steps:
         if step.link is None:
             passes.append(Pass(step.points[:1], Role.AIR))
         elif len(step.link):
-            passes.append(Pass(_slim(step.link, request), Role.LINK))
-        passes.append(Pass(_slim(step.points, request), Role.CUT))
+            passes.append(Pass(simplified(step.link, slack), Role.LINK))
+        passes.append(Pass(simplified(step.points, slack), Role.CUT))
     return tuple(passes)
-
-
-def _slim(points: Floats, request: PocketRequest) -> Floats:
-    """Drop points that the tolerance does not need."""
-    return shapely.get_coordinates(
-        shapely.simplify(LineString(points), 0.3 * request.tolerance, preserve_topology=False)
-    )

@@ -30,7 +30,7 @@ from ..errors import NotYetError
 from ..floor import FloorPath, Helix, Pass
 from ..linking import leave_wall
 from ..model import Floats, PocketRequest, Tick
-from ..polyline import ring_from, simplify_inside, turning_samples
+from ..polyline import ring_from, simplified, turning_samples
 from ..region import grow, polygons_of
 from ..splines import join_c2, multiply_linear, periodic_beziers, periodic_cubic, sample_beziers
 from ..starshape import deepest_center
@@ -77,7 +77,7 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     helix = Helix(center, float(np.hypot(*start)), math.atan2(start[1], start[0]))
     if request.cutting.finishing_lap:
         wall = ring_from(np.array(region.exterior.coords)[:-1], spiral[-1])
-        lap = simplify_inside(wall, region, request.tolerance / 2)
+        lap = simplified(wall, request.tolerance / 2)
     else:
         lap = sample_beziers(periodic_beziers(breaks, outer), request.tolerance / 2)
     leave = leave_wall(lap, region, request.cutter_radius)
