@@ -65,9 +65,8 @@ def measure_load(
     pieces : Pieces
         Of the toolpath.
     """
-    bottom = request.heights.final_depth + request.cutting.floor_stock
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
-    at_floor = fed & _near_any(engagement.points[:, 2], floors(pieces, bottom))
+    at_floor = fed & _near_any(engagement.points[:, 2], floors(pieces, request.floor))
     judged = at_floor & _past_entry(engagement, at_floor, request.cutter_radius)
     angles, lengths, limit = engagement.angles, engagement.lengths, request.engagement_limit
     chips = chip_loads(toolpath, engagement, request.feeds.horizontal, limit)

@@ -191,6 +191,16 @@ class PocketRequest:
     machine: Machine | None = None
 
     @property
+    def floor(self) -> float:
+        """Return the Z of the lowest level [mm]."""
+        return self.heights.final_depth + self.cutting.floor_stock
+
+    @property
+    def axial_depth(self) -> float:
+        """Return the axial depth of a full cut [mm]: a step down, or all of a shallow pocket."""
+        return min(self.heights.step_down, self.heights.start_depth - self.floor)
+
+    @property
     def link_feed(self) -> float:
         """Return the feed of links at depth [mm/s]."""
         return self.feed_plan.link_feed or self.feeds.horizontal_rapid

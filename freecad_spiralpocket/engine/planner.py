@@ -102,13 +102,12 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
 
 def _with_feeds(toolpath: Toolpath, request: PocketRequest) -> tuple[Toolpath, Engagement]:
     """Return the toolpath with its feeds planned, and the engagement along it."""
-    heights, wanted = request.heights, request.feed_plan
-    floor = heights.final_depth + request.cutting.floor_stock
+    wanted = request.feed_plan
     engagement = along_path(
         toolpath,
         request.cutter_radius,
-        axial_depth=min(heights.step_down, heights.start_depth - floor),
-        top=heights.start_depth,
+        axial_depth=request.axial_depth,
+        top=request.heights.start_depth,
     )
     rules = FeedRules(
         mode=wanted.mode,

@@ -76,9 +76,7 @@ def slot_bite(request: PocketRequest) -> float:
     """
     if request.entry.slot_bite > 0:
         return request.entry.slot_bite
-    heights = request.heights
-    depth = min(heights.step_down, heights.start_depth - heights.final_depth)
-    equal = request.cutting.stepover * depth / request.tool_diameter
+    equal = request.cutting.stepover * request.axial_depth / request.tool_diameter
     return min(equal, DEEPEST_BITE * request.tool_diameter)
 
 

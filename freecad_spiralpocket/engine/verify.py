@@ -42,12 +42,11 @@ def prove(
     Report
         Engagement points and angles are those of feed moves.
     """
-    r, heights, stock = request.cutter_radius, request.heights, request.cutting.stock_to_leave
-    top, bottom = heights.start_depth, heights.final_depth + request.cutting.floor_stock
-    axial_depth = min(heights.step_down, top - bottom)
-    pieces = cut_into_pieces(toolpath, r, top, axial_depth)
+    r, stock = request.cutter_radius, request.cutting.stock_to_leave
+    top, bottom = request.heights.start_depth, request.floor
+    pieces = cut_into_pieces(toolpath, r, top, request.axial_depth)
     if engagement is None:
-        engagement = along_path(toolpath, r, axial_depth=axial_depth, top=top)
+        engagement = along_path(toolpath, r, axial_depth=request.axial_depth, top=top)
     load = measure_load(request, toolpath, engagement, pieces)
     reach = reachable_floor(request.pocket, r, stock)
     uncut = uncut_floor(reach, pieces, bottom, r, request.tolerance)

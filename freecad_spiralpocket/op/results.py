@@ -64,8 +64,7 @@ def curves_shape(plans: Sequence[Plan]) -> Any:
     """Return the exact curves of all plans as one shape, empty if there are none."""
     edges = []
     for plan in plans:
-        z = plan.request.heights.final_depth + plan.request.cutting.floor_stock
-        edges += [edge(curve, z) for curve in plan.curves]
+        edges += [edge(curve, plan.request.floor) for curve in plan.curves]
     return Part.Compound(edges) if edges else Part.Shape()
 
 

@@ -197,9 +197,7 @@ def _seconds(start: Start, steps: list[Step], request: PocketRequest, motion: Mo
 
 def _entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float:
     """Return how long the way down takes [s]."""
-    heights = request.heights
-    depth = min(heights.step_down, heights.start_depth - heights.final_depth)
-    slope = math.tan(request.entry.helix_angle)
+    depth, slope = request.axial_depth, math.tan(request.entry.helix_angle)
     if isinstance(start.entry, Helix):
         return (depth / slope + start.ring.length) / motion.cut_feed
     levels = math.ceil(depth / start.entry.bite - 1e-9)
