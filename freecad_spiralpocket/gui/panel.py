@@ -13,7 +13,9 @@ from typing import Any
 import FreeCADGui
 
 from ..engine.model import FeedMode
+from ..op.properties import INHERITED
 from .compat import PathOpGui, has_tool_controller_editor
+from .extras import FACTORIES, Extra
 from .fields import Check, Choice, Field, Number, Quantity
 from .resulttext import result_text
 from .startup import RESOURCES
@@ -40,13 +42,18 @@ FIELDS = (
     ("slotBite", "SlotBite", Quantity),
 )
 
+#: Every property on which the path depends, of ours and of FreeCAD's own pages.
+INPUTS = {name for _, name, _ in FIELDS} | {*INHERITED, "Base", "ToolController"}
+
 
 class OperationPage(PathOpGui.TaskPanelPage):
     """The operation's own page; FreeCAD calls its methods."""
 
     fields: Sequence[Field] = ()
+    extras: Sequence[Extra] = ()
     tool_editors: Sequence[Any] = ()
     is_writing = False
+    was_changed = False  # while writing
 
     def getForm(self) -> Any:  # noqa: N802 - the name FreeCAD calls
         """Return the page's widgets."""
@@ -59,6 +66,11 @@ class OperationPage(PathOpGui.TaskPanelPage):
     def initPage(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Tie the widgets to the properties."""
         self.fields = [kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS]
+        self.extras = [make(self) for make in FACTORIES]
+        for extra in self.extras:
+            widget = extra.widget()
+            if widget is not None:
+                self.form.extrasLayout.addWidget(widget)
 
     def setupToolController(self, *obj_and_combo: Any) -> None:  # noqa: N802
         """Fill the list of tool controllers; 1.1 makes an editor for the chosen one each time."""
@@ -74,7 +86,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
 
     def getFields(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Write all fields to the properties."""
-        self.is_writing = True
+        self.is_writing, self.was_changed = True, False
         try:
             self.updateToolController(obj, self.form.toolController)
             self.updateCoolant(obj, self.form.coolantController)
@@ -84,6 +96,8 @@ class OperationPage(PathOpGui.TaskPanelPage):
             self.is_writing = False
         self.enable_fields()
         self.form.result.setEnabled(False)  # out of date until the next recompute
+        if self.was_changed:
+            self.tell_changed()
 
     def setFields(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show all properties."""
@@ -99,10 +113,19 @@ class OperationPage(PathOpGui.TaskPanelPage):
 
     def updateData(self, obj: Any, prop: str) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show a property that was changed elsewhere, not while it is being typed here."""
-        if not self.is_writing:
-            for field in self.fields:
-                if field.name == prop:
-                    field.show()
+        if self.is_writing:
+            self.was_changed |= prop in INPUTS
+            return
+        for field in self.fields:
+            if field.name == prop:
+                field.show()
+        if prop in INPUTS:
+            self.tell_changed()
+
+    def tell_changed(self) -> None:
+        """Tell the extras that the path is out of date."""
+        for extra in self.extras:
+            extra.changed()
 
     def show_outcome(self) -> None:
         """Show what the last recompute brought: results, and values from expressions."""
@@ -111,3 +134,11 @@ class OperationPage(PathOpGui.TaskPanelPage):
         self.enable_fields()
         self.form.result.setText(result_text(self.obj))
         self.form.result.setEnabled(True)
+        for extra in self.extras:
+            extra.computed()
+
+    def close_extras(self) -> None:
+        """Close the extras; part of every way to close the panel."""
+        extras, self.extras = self.extras, ()
+        for extra in extras:
+            extra.close()
