@@ -276,6 +276,8 @@ class Report:
         Where the engagement was measured [mm], in the order of travel.
     engagement_angles : ndarray of shape (k,)
         [rad]
+    engagement_moves : ndarray of int, shape (k,)
+        Move of the toolpath each place is on.
     uncut : shapely.MultiPolygon
         What the cutter could reach and left standing.
     gouge : float
@@ -297,6 +299,7 @@ class Report:
     entry_bite: float
     engagement_points: Floats
     engagement_angles: Floats
+    engagement_moves: NDArray[np.int64]
     uncut: MultiPolygon
     gouge: float
     notices: tuple[Notice, ...] = ()

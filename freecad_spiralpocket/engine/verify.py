@@ -68,6 +68,7 @@ def prove(
         entry_bite=load.bite,
         engagement_points=engagement.points[fed],
         engagement_angles=engagement.angles[fed],
+        engagement_moves=engagement.moves[fed],
         uncut=uncut,
         gouge=max(gouge, too_deep),
         notices=(
