@@ -43,7 +43,10 @@ def add_spiral_pocket(
         One of the job's; without it that of the last operation, else the job's first.
     **values
         Properties by their FreeCAD names: numbers in mm, degrees or percent, or texts with a
-        unit such as ``"0.5 in"``. An expression on the property is removed.
+        unit such as ``"0.5 in"``. An expression on the property is removed. How heavy the cut
+        may be is said by ``StepOver`` (whole percent of the cutter's diameter) or exactly by
+        ``MaxEngagement`` (degrees), which rules where it is not 0. ``StartPoint`` (x, y, z)
+        counts with ``UseStartPoint=True``, for the pocket it lies in.
 
     Returns
     -------

@@ -243,8 +243,17 @@ def _from_operation(op: Any) -> _Source:
         spindle_speed=float(op.ToolController.SpindleSpeed) / 60 or None,
         axial_depth=min(start - final, step_down),
         top=start,
-        stepover=diameter * op.StepOver / 100 if hasattr(op, "StepOver") else None,
+        stepover=_stepover(op, diameter),
     )
+
+
+def _stepover(op: Any, diameter: float) -> float | None:
+    """Return the step-over [mm] of an operation, ours or one of FreeCAD's own."""
+    if hasattr(op, "MaxEngagement"):
+        from .op import request
+
+        return request.stepover(op)
+    return diameter * op.StepOver / 100 if hasattr(op, "StepOver") else None
 
 
 if __name__ == "__main__":

@@ -60,6 +60,8 @@ def _check_numbers(request: PocketRequest) -> None:
             "The helix's diameter limit is negative.", "Set HelixDiameterLimit to 0 for no limit."
         )
     _check_feed_plan(request.feed_plan)
+    if request.start_point is not None and not np.isfinite(request.start_point).all():
+        raise RequestError("The start point is not a place.", "Set StartPoint, or do without.")
     for name, value in (
         ("XY stock to leave", request.cutting.stock_to_leave),
         ("Z stock to leave", request.cutting.floor_stock),

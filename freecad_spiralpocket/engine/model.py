@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .errors import tell
+from .stepover import engagement_angle
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
@@ -177,6 +178,8 @@ class PocketRequest:
     feed_plan : FeedPlan
     machine : Machine or None
         On which machine the time is to be least; None for a middling one.
+    start_point : tuple of float or None
+        Where the cutter shall go down, (x, y) [mm], as near as it can; None: where it is best.
     """
 
     pocket: Polygon
@@ -189,6 +192,7 @@ class PocketRequest:
     tolerance: float = 0.01
     feed_plan: FeedPlan = FeedPlan()
     machine: Machine | None = None
+    start_point: tuple[float, float] | None = None
 
     @property
     def floor(self) -> float:
@@ -213,7 +217,7 @@ class PocketRequest:
     @property
     def engagement_limit(self) -> float:
         """Return the engagement angle of a straight cut at the step-over [rad]."""
-        return float(np.arccos(max(-1.0, 1.0 - self.cutting.stepover / self.cutter_radius)))
+        return engagement_angle(self.cutting.stepover, self.cutter_radius)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,6 +9,8 @@ from typing import Any
 
 import FreeCAD
 
+from ..op.request import engagement_limit
+
 translate = FreeCAD.Qt.translate
 
 
@@ -25,7 +27,7 @@ def result_text(obj: Any) -> str:
             duration(obj.MachiningTime), obj.PathLength.UserString
         ),
         translate("SpiralPocket", "Largest engagement {:.0f}°, {:.0f}° on a straight cut").format(
-            obj.LargestEngagement.Value, engagement_limit(obj)
+            obj.LargestEngagement.Value, math.degrees(engagement_limit(obj))
         ),
         translate("SpiralPocket", "Uncut {}, gouge {}").format(
             small(obj.UncutArea, power=2), small(obj.Gouge.Value)
@@ -44,11 +46,6 @@ def small(value: float, power: int = 1) -> str:
     digits = 3 if factor < 20 else 4
     unit = "in" if unit == '"' else unit
     return f"{value / factor**power:.{digits}f} {unit}{'²' if power == 2 else ''}"
-
-
-def engagement_limit(obj: Any) -> float:
-    """Return the engagement angle [deg] of a straight cut at the operation's step-over."""
-    return math.degrees(math.acos(1 - 2 * obj.StepOver / 100))
 
 
 def duration(seconds: float) -> str:

@@ -240,7 +240,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
 
 def SetupProperties() -> list[str]:  # noqa: N802 - the name FreeCAD calls
     """Return the names of the properties that a preset of the setup sheet may hold."""
-    return properties.option_names()
+    return properties.preset_names()
 
 
 def Create(name: str, obj: Any = None, parentJob: Any = None) -> Any:  # noqa: N802, N803

@@ -91,7 +91,7 @@ class Pockets:
                     "Set the horizontal and vertical feed in the tool controller.",
                 )
             )
-        return [*failed, *feeds, *self._notices]
+        return [*failed, *feeds, *self._start_point_notices(), *self._notices]
 
     def commands(self) -> list[Any]:
         """Return the commands that cut all pockets one after the other."""
@@ -99,6 +99,18 @@ class Pockets:
         return commands.join(
             commands.from_toolpath(p.toolpath, with_feeds=with_feeds) for p in self.plans
         )
+
+    def _start_point_notices(self) -> list[Notice]:
+        if not self._obj.UseStartPoint or any(p.request.start_point for p in self.plans):
+            return []
+        point = self._obj.StartPoint
+        return [
+            Notice(
+                "The start point at {at} lies in none of the pockets.",
+                "Set StartPoint inside one, or do without.",
+                (point.x, point.y),
+            )
+        ]
 
     def _plan_one(self, model: Any, name: str, progress: Progress | None) -> None:
         floor = selection.floor(model, name)

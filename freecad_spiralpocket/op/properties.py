@@ -20,11 +20,11 @@ from .. import machines
 from ..engine.model import CutMode, FeedMode, Strategy
 
 #: Version of the table that this release writes into documents.
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 #: The presets of resources/machines, the first as the default.
 MACHINES = tuple(sorted(machines.names(), key=lambda name: name != "hobby_router"))
 
-OPTIONS, RESULT = "Spiral Pocket", "Result"
+OPTIONS, START, RESULT = "Spiral Pocket", "Start Point", "Result"
 _EDITABLE, _READ_ONLY, _HIDDEN = 0, 1, 2
 
 
@@ -54,8 +54,8 @@ class Property:
 
     @property
     def is_option(self) -> bool:
-        """Return whether the user sets it (a preset may hold it)."""
-        return self.group == OPTIONS
+        """Return whether the user sets it."""
+        return self.group in (OPTIONS, START)
 
     @property
     def editor_mode(self) -> int:
@@ -88,6 +88,13 @@ TABLE = (
         "Percent",
         "Percent of cutter diameter to step over on each lap, at most",
         40,
+    ),
+    _option(
+        "MaxEngagement",
+        "Angle",
+        "Largest engagement angle of a straight cut, in place of StepOver; 0 for that of StepOver",
+        0.0,
+        since=2,
     ),
     _choice(
         "CutMode",
@@ -146,8 +153,29 @@ TABLE = (
         "Largest axial depth of one level of a slot that opens the pocket, 0 for automatic",
         0.0,
     ),
-    _option("FinishingProfile", "Bool", "To take a finishing lap along the walls at the end", True),
+    _option(
+        "FinishingProfile",
+        "Bool",
+        "To take a finishing lap along the walls at the end; Automatic does without, its laps "
+        "finish the walls",
+        True,
+    ),
     _option("UseOutline", "Bool", "Ignore islands and clear everything inside the outline", False),
+    Property(
+        "UseStartPoint",
+        "App::PropertyBool",
+        START,
+        "Make True, if specifying a Start Point",
+        False,
+        since=2,
+    ),
+    Property(
+        "StartPoint",
+        "App::PropertyVectorDistance",
+        START,
+        "Where the cutter goes down, as near as it can; its height does not matter",
+        since=2,
+    ),
     _result(
         "SpiralCurve",
         "Part::PropertyPartShape",
@@ -181,6 +209,11 @@ INHERITED = (
 def option_names() -> list[str]:
     """Return the names of the properties that the user sets, in the order of the table."""
     return [p.name for p in TABLE if p.is_option]
+
+
+def preset_names() -> list[str]:
+    """Return the names of the options that a preset may hold: all but a place on one part."""
+    return [p.name for p in TABLE if p.group == OPTIONS]
 
 
 def choices() -> dict[str, tuple[str, ...]]:

@@ -8,12 +8,14 @@ own height and never below, so that `FinalDepth` can also stop all pockets early
 
 from __future__ import annotations
 
+import math
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import machines
+from ..engine.errors import RequestError
 from ..engine.machine import Machine
 from ..engine.model import (
     CutMode,
@@ -26,6 +28,7 @@ from ..engine.model import (
     PocketRequest,
     Strategy,
 )
+from ..engine.stepover import engagement_angle, radial_depth
 from .selection import SAME_HEIGHT
 
 if TYPE_CHECKING:
@@ -33,6 +36,9 @@ if TYPE_CHECKING:
 
 #: Feed for planning where the tool controller has none [mm/s]; it never reaches the path.
 STAND_IN_FEED = 10.0
+
+#: The engagement angle of a full slot [deg].
+FULL_SLOT = 180.0
 
 
 def has_feeds(tool_controller: Any) -> bool:
@@ -68,12 +74,45 @@ def machine(name: str) -> Machine:
     return machines.load(name)
 
 
+def stepover(obj: Any) -> float:
+    """Return the step-over [mm]: that of `MaxEngagement` if it is given, else of `StepOver`.
+
+    Raises
+    ------
+    RequestError
+        If `MaxEngagement` is no angle of a cut.
+    """
+    angle, diameter = obj.MaxEngagement.Value, obj.OpToolDiameter.Value
+    if angle == 0:
+        return obj.StepOver / 100 * diameter
+    if not 0 < angle <= FULL_SLOT:
+        raise RequestError(
+            f"A largest engagement of {angle:g} degrees cannot be cut.",
+            f"Set MaxEngagement up to {FULL_SLOT:g} degrees, or to 0 for StepOver's.",
+        )
+    return radial_depth(math.radians(angle), diameter / 2)
+
+
+def engagement_limit(obj: Any) -> float:
+    """Return the engagement angle [rad] of a straight cut at the operation's step-over."""
+    return engagement_angle(stepover(obj), obj.OpToolDiameter.Value / 2)
+
+
+def start_point(obj: Any, pocket: Polygon) -> tuple[float, float] | None:
+    """Return the start point that was asked for, if it lies in this pocket."""
+    from shapely import Point  # documents open without it
+
+    if not obj.UseStartPoint:
+        return None
+    x, y = obj.StartPoint.x, obj.StartPoint.y
+    return (x, y) if pocket.intersects(Point(x, y)) else None
+
+
 def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
     """Return the request for one pocket that is cut to `depth` with the operation `obj`."""
-    diameter = obj.OpToolDiameter.Value
     return PocketRequest(
         pocket=pocket,
-        tool_diameter=diameter,
+        tool_diameter=obj.OpToolDiameter.Value,
         heights=Heights(
             clearance=obj.ClearanceHeight.Value,
             safe=obj.SafeHeight.Value,
@@ -84,7 +123,7 @@ def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
         ),
         feeds=feeds(obj.ToolController, machine(obj.Machine)),
         cutting=Cutting(
-            stepover=obj.StepOver / 100 * diameter,
+            stepover=stepover(obj),
             cut_mode=CutMode(obj.CutMode),
             stock_to_leave=obj.StockToLeave.Value,
             floor_stock=obj.ZStockToLeave.Value,
@@ -104,4 +143,5 @@ def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
             link_feed=obj.LinkFeed / 60,
         ),
         machine=machine(obj.Machine),
+        start_point=start_point(obj, pocket),
     )

@@ -19,6 +19,7 @@ PROTOTYPE_TYPES = {
     "App::PropertyPercent",
     "App::PropertyString",
     "App::PropertyStringList",
+    "App::PropertyVectorDistance",
     "Part::PropertyPartShape",
 }
 PRESET_PREFIX = "SpiralPocket"
@@ -85,7 +86,9 @@ def test_enumerations_are_offered_with_coolant_and_translations():
 
 def test_the_setup_sheet_knows_the_operation_and_its_options():
     registered = PathSetupSheet._RegisteredOps[operation.NAME]
-    assert list(registered.properties()) == properties.option_names()
+    places = ("UseStartPoint", "StartPoint")  # a place on one part is no preset
+    wanted = [name for name in properties.option_names() if name not in places]
+    assert list(registered.properties()) == wanted
     prototype = registered.prototype(operation.NAME)
     assert {row.name for row in properties.TABLE} <= set(prototype.properties)
     assert prototype.getProperty("CutMode").getEnumValues() == ["Climb", "Conventional"]
@@ -115,6 +118,15 @@ def test_migration_adds_what_an_older_release_lacked_and_keeps_the_rest(op):
     assert op.SchemaVersion == properties.SCHEMA_VERSION
     assert op.getEnumerationsOfProperty("CutMode") == ["Climb", "Conventional"]
     assert (op.StepOver, op.CutMode, op.HelixAngle.Value) == (33, "Conventional", 2)
+
+
+def test_migration_adds_the_second_schemas_properties(op):
+    for name in ("MaxEngagement", "UseStartPoint", "StartPoint"):
+        op.removeProperty(name)
+    op.StepOver, op.SchemaVersion = 33, 1
+    op.Proxy.onDocumentRestored(op)
+    assert (op.StepOver, op.MaxEngagement.Value, op.UseStartPoint) == (33, 0, False)
+    assert tuple(op.StartPoint) == (0, 0, 0)
 
 
 def test_migration_leaves_a_current_document_alone(op):
