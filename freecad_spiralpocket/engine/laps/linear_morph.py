@@ -27,14 +27,13 @@ from shapely import Point, Polygon
 
 from ..entry import fit_helix_radius
 from ..errors import NotYetError
-from ..floor import FloorPath, Helix, Pass
-from ..linking import leave_wall
+from ..floor import FloorPath, Helix
 from ..model import Floats, PocketRequest, Tick
-from ..polyline import ring_from, simplified, turning_samples
+from ..polyline import ring_from, turning_samples
 from ..region import grow, polygons_of
 from ..splines import join_c2, multiply_linear, periodic_beziers, periodic_cubic, sample_beziers
 from ..starshape import deepest_center
-from ..toolpath import Role
+from .closing import closing_passes
 
 #: Fillet radius of the rounded wall over the step-over.
 ROUNDING = 1.0
@@ -66,7 +65,7 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     """
     center = _middle(region)
     radius = fit_helix_radius(region, center, request.cutter_radius, request.entry)
-    breaks, outer = wall_spline(region, center, request.cutting.stepover)
+    breaks, outer = wall_spline(region, center, ROUNDING * request.cutting.stepover)
     inner = _circle_controls(outer, center, radius)
     turns, beziers = spiral_beziers(breaks, inner, outer, request.cutting.stepover)
     tick(0.5)
@@ -75,14 +74,8 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     spiral = sample_beziers(beziers, request.tolerance / 2)
     start = spiral[0] - center
     helix = Helix(center, float(np.hypot(*start)), math.atan2(start[1], start[0]))
-    if request.cutting.finishing_lap:
-        wall = ring_from(np.array(region.exterior.coords)[:-1], spiral[-1])
-        lap = simplified(wall, request.tolerance / 2)
-    else:
-        lap = sample_beziers(periodic_beziers(breaks, outer), request.tolerance / 2)
-    leave = leave_wall(lap, region, request.cutter_radius)
-    passes = (Pass(spiral, Role.CUT), Pass(lap, Role.FINISH), Pass(leave, Role.LINK))
-    return FloorPath(helix, passes, curve)
+    rounded = sample_beziers(periodic_beziers(breaks, outer), request.tolerance / 2)
+    return FloorPath(helix, closing_passes(spiral, rounded, region, request), curve)
 
 
 def _middle(region: Polygon) -> Floats:
@@ -107,7 +100,7 @@ def _middle(region: Polygon) -> Floats:
     return center
 
 
-def wall_spline(region: Polygon, center: Floats, stepover: float) -> tuple[Floats, Floats]:
+def wall_spline(region: Polygon, center: Floats, fillet: float) -> tuple[Floats, Floats]:
     """Return ``d_out``: a closed C2 cubic inside the region, starting on the positive x-axis.
 
     Parameters
@@ -115,8 +108,8 @@ def wall_spline(region: Polygon, center: Floats, stepover: float) -> tuple[Float
     region : shapely.Polygon
         Counter-clockwise, seen wholly from `center`.
     center : ndarray of shape (2,)
-    stepover : float
-        The fillet radius of sharp corners follows it [mm].
+    fillet : float
+        Radius of the rounding of sharp corners, less where there is no room [mm].
 
     Returns
     -------
@@ -125,7 +118,7 @@ def wall_spline(region: Polygon, center: Floats, stepover: float) -> tuple[Float
         See `splines.periodic_cubic`.
     """
     room = region.boundary.distance(Point(center))
-    fillet = min(ROUNDING * stepover, 0.5 * room)
+    fillet = min(fillet, 0.5 * room)
     rounded = polygons_of(grow(grow(region, -fillet - INSET), fillet))[0]
     ring = ring_from(np.array(rounded.exterior.coords)[:-1], center, toward=(1.0, 0.0))
     for halving in range(HALVINGS):
