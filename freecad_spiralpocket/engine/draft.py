@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rough laps within a fraction of a second, to be shown until the proved path is there.
+
+Fronts grow from the most promising start alone, the whole front by one step that
+holds the engagement on a circle of its length, on coarse outlines. There is no order,
+there are no links and nothing is proved: a draft shows where the laps run and how many
+there are. It must never become a toolpath.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from shapely import Polygon
+from shapely.affinity import scale
+
+from .checks import check_request
+from .fronts import STALLED, FrontRules, engagement_step, largest, oriented
+from .laps import automatic
+from .model import CutMode, Floats, PocketRequest
+from .region import center_regions
+from .starts import candidates
+
+#: Outlines are coarse by this much, over R; chords in a quarter circle.
+COARSE, QUADRANT = 0.02, 6
+#: Most fronts of a region; a draft that needs more shows the inner ones only.
+MOST = 150
+#: Parts of a front nearer to the wall than this are no laps, over R.
+ALONG_WALL = 0.03
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Opening:
+    """How a region is opened; depends neither on the step-over nor on feeds.
+
+    Attributes
+    ----------
+    visited, omega : shapely.Polygon
+        See `starts.Start`.
+    ring : ndarray of shape (n, 2)
+        The entry's last lap [mm].
+    """
+
+    visited: Polygon
+    omega: Polygon
+    ring: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Draft:
+    """Rough laps of one pocket.
+
+    Attributes
+    ----------
+    entries : tuple of ndarray of shape (n, 2)
+        The entry's last lap of each region [mm].
+    laps : tuple of ndarray of shape (n, 2)
+        From the inside outwards [mm].
+    z : float
+        Of the floor [mm].
+    """
+
+    entries: tuple[Floats, ...]
+    laps: tuple[Floats, ...]
+    z: float
+
+
+def openings(request: PocketRequest) -> list[Opening]:
+    """Return how each region of the pocket is opened in a draft.
+
+    Raises
+    ------
+    SpiralPocketError
+        If no part of the pocket can be cut as asked.
+    """
+    check_request(request)
+    radius = request.cutter_radius
+    mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
+    found = []
+    for region in center_regions(request.pocket, radius, request.cutting.stock_to_leave):
+        region = oriented(shapely.simplify(_mirrored(region) if mirrored else region, 0.001))
+        starts = candidates(region, request)
+        near = automatic.FEW * request.cutting.stepover
+        start = automatic.promising(starts, region, near)[0]
+        found.append(Opening(start.visited, start.omega, shapely.get_coordinates(start.ring)))
+    return found
+
+
+def draft(request: PocketRequest, opened: list[Opening] | None = None) -> Draft:
+    """Return rough laps of a pocket.
+
+    Parameters
+    ----------
+    request : PocketRequest
+    opened : list of Opening, optional
+        Those of the same pocket, cutter, stock and direction, where they are known.
+
+    Raises
+    ------
+    SpiralPocketError
+        If no part of the pocket can be cut as asked.
+    """
+    opened = openings(request) if opened is None else opened
+    rules = automatic.rules_of(request)
+    laps = [lap for opening in opened for lap in _laps(opening, rules)]
+    entries = [opening.ring for opening in opened]
+    if request.cutting.cut_mode is CutMode.CONVENTIONAL:
+        laps, entries = [p * (-1, 1) for p in laps], [p * (-1, 1) for p in entries]
+    return Draft(tuple(entries), tuple(laps), request.floor)
+
+
+def _laps(opening: Opening, rules: FrontRules) -> list[Floats]:
+    """Return the new parts of all fronts, the wall itself at last."""
+    coarse = COARSE * rules.cutter_radius
+    omega = shapely.simplify(opening.omega, coarse)
+    visited = largest(shapely.intersection(shapely.simplify(opening.visited, coarse), omega))
+    wall = shapely.buffer(omega.boundary, ALONG_WALL * rules.cutter_radius, quad_segs=1)
+    least = STALLED * rules.stepover * rules.cutter_radius
+    laps: list[Floats] = []
+    for _ in range(MOST):
+        grown = _advanced(visited, omega, rules, coarse)
+        if grown.area - visited.area < least:
+            break
+        laps += _lines(shapely.difference(grown.boundary, wall))
+        visited = grown
+    return laps + _lines(opening.omega.boundary)
+
+
+def _advanced(visited: Polygon, omega: Polygon, rules: FrontRules, coarse: float) -> Polygon:
+    """Return the visited region after one more lap."""
+    bend = np.array([2 * np.pi / visited.exterior.length])
+    step = float(engagement_step(bend, rules)[0])
+    closed = shapely.buffer(visited, step + rules.closing, quad_segs=2 * QUADRANT)
+    closed = shapely.buffer(closed, -rules.closing, quad_segs=QUADRANT)
+    grown = shapely.intersection(closed, omega)
+    opened = shapely.buffer(grown, -rules.fillet, quad_segs=QUADRANT)
+    opened = shapely.buffer(opened, rules.fillet, quad_segs=QUADRANT)
+    return shapely.simplify(largest(shapely.union(opened, visited)), coarse)
+
+
+def _lines(shape: shapely.Geometry) -> list[Floats]:
+    parts = shapely.get_parts(
+        shapely.line_merge(shape) if shape.geom_type[:5] == "Multi" else shape
+    )
+    return [shapely.get_coordinates(part) for part in parts if part.length > 0]
+
+
+def _mirrored(region: Polygon) -> Polygon:
+    return oriented(scale(region, -1.0, 1.0, origin=(0.0, 0.0)))
