@@ -71,12 +71,13 @@ class FloorPath:
     Attributes
     ----------
     entry : Helix or Slot
-    passes : tuple of Pass
-        In order, the first from the end of the entry.
+    passes : tuple of Pass, Helix or Slot
+        In order, the first from the end of the entry. An entry among them: lift, go over, and
+        down into solid stock there.
     curve : SplineCurve or None
         The exact curve behind the spiral, where the strategy has one.
     """
 
     entry: Helix | Slot
-    passes: tuple[Pass, ...]
+    passes: tuple[Pass | Helix | Slot, ...]
     curve: SplineCurve | None = None

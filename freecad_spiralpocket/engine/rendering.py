@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .entry import APPROACH, cut_entry, entry_start
-from .floor import FloorPath
+from .floor import FloorPath, Helix, Pass, Slot
 from .model import PocketRequest
 from .toolpath import Role, Toolpath, ToolpathBuilder
 
@@ -50,13 +50,14 @@ def _cut_level(
     request: PocketRequest,
 ) -> None:
     """Add one level of one region: over to it at height `lift`, down, and all passes."""
-    feeds, angle, safe = request.feeds, request.entry.helix_angle, request.heights.safe
+    feeds, safe = request.feeds, request.heights.safe
     builder.rapid(feeds.vertical_rapid, z=lift)
-    builder.rapid(feeds.horizontal_rapid, *entry_start(path.entry, angle, top, bottom))
-    builder.rapid(feeds.vertical_rapid, z=min(top + APPROACH, safe))
-    cut_entry(builder, path.entry, angle, top, bottom, feeds)
+    _go_down(builder, path.entry, top, bottom, request)
     for part in path.passes:
-        if part.role is Role.AIR:
+        if not isinstance(part, Pass):
+            builder.rapid(feeds.vertical_rapid, z=safe)
+            _go_down(builder, part, top, bottom, request)
+        elif part.role is Role.AIR:
             builder.rapid(feeds.vertical_rapid, z=safe)
             builder.rapid(feeds.horizontal_rapid, *part.points[-1])
             builder.rapid(feeds.vertical_rapid, z=min(bottom + APPROACH, safe))
@@ -64,3 +65,13 @@ def _cut_level(
         else:
             feed = request.link_feed if part.role is Role.LINK else feeds.horizontal
             builder.polyline(part.points, bottom, feed, part.role)
+
+
+def _go_down(
+    builder: ToolpathBuilder, entry: Helix | Slot, top: float, bottom: float, request: PocketRequest
+) -> None:
+    """Add the way over to an entry, at the height where the cutter is, and down into the stock."""
+    feeds, angle = request.feeds, request.entry.helix_angle
+    builder.rapid(feeds.horizontal_rapid, *entry_start(entry, angle, top, bottom))
+    builder.rapid(feeds.vertical_rapid, z=min(top + APPROACH, request.heights.safe))
+    cut_entry(builder, entry, angle, top, bottom, feeds)
