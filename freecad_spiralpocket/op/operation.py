@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import FreeCAD
 import Part
@@ -26,6 +26,9 @@ from ..engine.errors import CancelledError, SetupError, SpiralPocketError
 from ..engine.model import Notice, Plan, Progress
 from . import commands, properties, results, selection
 from .compat import PathLog, PathOp, PathSetupSheet, parent_job, tool_shape
+
+if TYPE_CHECKING:
+    from .pockets import Planner
 
 #: The name under which the setup sheet keeps presets; also that of new operations.
 NAME = "SpiralPocket"
@@ -61,9 +64,12 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
     progress_factory : callable or None
         ``progress_factory(label)`` returns a context manager that yields a `Progress`; set on
         the class by the graphical side, if there is one.
+    planner : Planner or None
+        What plans the pockets, see `pockets`; set on the class by the graphical side.
     """
 
     progress_factory: Callable[[str], AbstractContextManager[Progress | None]] | None = None
+    planner: Planner | None = None
     errors: list[SpiralPocketError] | tuple[()] = ()
     plans: list[Plan] | tuple[()] = ()
     _earlier: list[Plan] | tuple[()] = ()
@@ -153,7 +159,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         properties.clear_results(obj)
         try:
             if obj.Active:
-                self._check_setup(obj)
+                self.check_setup(obj)
             super().execute(obj)
         except SpiralPocketError as error:
             self._fail(obj, error)
@@ -171,15 +177,20 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         pockets = Pockets(obj, self._earlier)
         factory = type(self).progress_factory
         with factory(obj.Label) if factory else nullcontext() as progress:
-            pockets.plan(progress)
+            pockets.plan(progress, type(self).planner)
         self.plans, self.errors = pockets.plans, pockets.errors
         if not self.plans:
             raise self.errors[0]
         self.commandlist += commands.without_last_lift(pockets.commands())
         results.write(obj, self.plans, [*self._tool_notices(obj), *pockets.notices()])
 
-    def _check_setup(self, obj: Any) -> None:
-        """Raise where the base class would return without a path."""
+    def check_setup(self, obj: Any) -> None:
+        """Raise where the base class would return without a path.
+
+        Raises
+        ------
+        SetupError
+        """
         job = parent_job(obj)
         if job is None:
             raise SetupError(f"{obj.Label} is not in a job.", "Drag it into the job's operations.")

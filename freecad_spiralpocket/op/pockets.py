@@ -7,8 +7,8 @@ that adding a tenth face to nine plans one pocket, and changing the coolant none
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, TypeAlias
 
 from ..engine import plan as plan_pocket
 from ..engine.errors import CancelledError, SpiralPocketError
@@ -20,6 +20,12 @@ from . import commands, geometry, request, selection
 SAG_SHARE = 0.2
 #: Limits of the sag [mm]: a tolerance of 0 is refused later, a wide one must not lose arcs.
 SAG_RANGE = (1e-4, 0.02)
+
+#: Plans many pockets: called with their requests and a progress, returns for each a plan or what
+#: is the matter with it; raises `CancelledError` if the progress says so.
+Planner: TypeAlias = Callable[
+    [Sequence[PocketRequest], Progress | None], Sequence[Plan | SpiralPocketError]
+]
 
 
 class Pockets:
@@ -48,23 +54,37 @@ class Pockets:
         self._deepest = min(selection.heights(obj.Base), default=0.0)
         self.plans: list[Plan] = []
 
-    def plan(self, progress: Progress | None = None) -> None:
-        """Plan all pockets.
+    def requests(self) -> list[tuple[selection.Floor | None, PocketRequest | SpiralPocketError]]:
+        """Return for each selected face its floor and request, or None and what is the matter."""
+        found: list[tuple[selection.Floor | None, PocketRequest | SpiralPocketError]] = []
+        for model, name in self._selected:
+            try:
+                floor = selection.floor(model, name)
+                found.append((floor, self._request(floor)))
+            except SpiralPocketError as error:
+                found.append((None, error))
+        return found
+
+    def plan(self, progress: Progress | None = None, planner: Planner | None = None) -> None:
+        """Plan all pockets, by default one after the other.
 
         Raises
         ------
         CancelledError
             If `progress` says so.
         """
-        count = len(self._selected)
-        for number, (model, name) in enumerate(self._selected):
-            try:
-                self._plan_one(model, name, _part_of(progress, number, count))
-            except CancelledError:
-                raise
-            except SpiralPocketError as error:
-                labels = self._failures.setdefault(str(error), (error, []))[1]
-                labels.append(selection.label(model, name))
+        found = self.requests()
+        outcomes = [self._taken_over(r) if isinstance(r, PocketRequest) else r for _, r in found]
+        missing = [i for i, outcome in enumerate(outcomes) if outcome is None]
+        planned = (planner or plan_in_turn)([found[i][1] for i in missing], progress)
+        for i, outcome in zip(missing, planned, strict=True):
+            outcomes[i] = outcome
+        for (floor, _), outcome, face in zip(found, outcomes, self._selected, strict=True):
+            if isinstance(outcome, SpiralPocketError):
+                labels = self._failures.setdefault(str(outcome), (outcome, []))[1]
+                labels.append(selection.label(*face))
+            else:
+                self._take(floor, outcome)
 
     @property
     def errors(self) -> list[SpiralPocketError]:
@@ -112,12 +132,19 @@ class Pockets:
             )
         ]
 
-    def _plan_one(self, model: Any, name: str, progress: Progress | None) -> None:
-        floor = selection.floor(model, name)
+    def _request(self, floor: selection.Floor) -> PocketRequest:
+        """Return the request for the pocket above a floor."""
         sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
         outline = geometry.polygon(floor, sag, use_outline=self._obj.UseOutline)
         depth = request.final_depth(self._obj, floor.z, self._deepest)
-        plan = self._planned(request.build(self._obj, outline, depth), progress)
+        return request.build(self._obj, outline, depth)
+
+    def _taken_over(self, wanted: PocketRequest) -> Plan | None:
+        """Return an earlier plan for the same request, or None."""
+        return next((plan for plan in self._earlier if plan.request == wanted), None)
+
+    def _take(self, floor: selection.Floor, plan: Plan) -> None:
+        """Add the plan of one pocket, and what is to be told of it."""
         self.plans.append(plan)
         if floor.open_edges:
             self._note(
@@ -130,16 +157,31 @@ class Pockets:
         for notice in plan.report.notices:
             self._note(floor, notice)
 
-    def _planned(self, wanted: PocketRequest, progress: Progress | None) -> Plan:
-        for plan in self._earlier:
-            if plan.request == wanted:
-                return plan
-        return plan_pocket(wanted, progress)
-
     def _note(self, floor: selection.Floor, notice: Notice) -> None:
         if len(self._selected) > 1:
             notice = Notice(f"{floor.label}: {notice.message}", notice.hint, notice.place)
         self._notices.append(notice)
+
+
+def plan_in_turn(
+    requests: Sequence[PocketRequest], progress: Progress | None
+) -> list[Plan | SpiralPocketError]:
+    """Return a plan for each request, or what is the matter with it.
+
+    Raises
+    ------
+    CancelledError
+        If `progress` says so.
+    """
+    outcomes: list[Plan | SpiralPocketError] = []
+    for number, wanted in enumerate(requests):
+        try:
+            outcomes.append(plan_pocket(wanted, _part_of(progress, number, len(requests))))
+        except CancelledError:
+            raise
+        except SpiralPocketError as error:
+            outcomes.append(error)
+    return outcomes
 
 
 def _part_of(progress: Progress | None, number: int, count: int) -> Progress | None:
