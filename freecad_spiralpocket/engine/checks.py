@@ -14,6 +14,9 @@ from shapely import Polygon, get_coordinates, is_valid_reason
 from .errors import GeometryError, RequestError
 from .model import FeedPlan, PocketRequest
 
+#: Levels may pass the one above, and the step down, by this [mm].
+NESTED = 0.01
+
 
 def check_request(request: PocketRequest) -> None:
     """Check every value of a request.
@@ -28,6 +31,8 @@ def check_request(request: PocketRequest) -> None:
     _check_numbers(request)
     _check_heights(request)
     _check_outline(request.pocket)
+    if request.sections:
+        _check_sections(request)
 
 
 def _check_numbers(request: PocketRequest) -> None:
@@ -123,6 +128,27 @@ def _check_heights(request: PocketRequest) -> None:
             f"start depth {h.start_depth:g} mm.",
             "Set ClearanceHeight above SafeHeight above StartDepth.",
         )
+
+
+def _check_sections(request: PocketRequest) -> None:
+    """Check that the levels go down to the floor and that none reaches under a wall."""
+    top, above = request.heights.start_depth, None
+    for section in request.sections:
+        _check_outline(section.pocket)
+        if not 0 < top - section.z < request.heights.step_down + NESTED:
+            raise RequestError(
+                f"The level from Z{top:g} to Z{section.z:g} is not between 0 and the step down of "
+                f"{request.heights.step_down:g} mm deep.",
+                "Set StepDown above 0.",
+            )
+        if above is not None and not above.buffer(NESTED).covers(section.pocket):
+            raise GeometryError(
+                f"At Z{section.z:g} the pocket reaches under a wall.",
+                "Check the part's geometry in the Part workbench.",
+            )
+        top, above = section.z, section.pocket
+    if abs(top - request.floor) > NESTED or above != request.pocket:
+        raise GeometryError(f"The lowest level, at Z{top:g}, is not the pocket's floor.")
 
 
 def _check_outline(pocket: Polygon) -> None:

@@ -7,6 +7,7 @@ import numpy as np
 from shapely import MultiPolygon
 
 from .model import Notice, PocketRequest
+from .steps import Step
 
 #: Uncut area over that of the cutter's disc that is worth telling.
 TOLD_UNCUT = 1e-3
@@ -58,6 +59,20 @@ def tell_uncut(uncut: MultiPolygon, request: PocketRequest) -> list[Notice]:
             f"{uncut.area:.3g} mm2 of the floor stay uncut, the largest part at {{at}}.",
             "A smaller step-over may clear it.",
             (float(largest.x), float(largest.y)),
+        )
+    ]
+
+
+def tell_steps(step: Step) -> list[Notice]:
+    """Tell how large the steps on slanted walls are, if there are any."""
+    if step.width == 0:
+        return []
+    return [
+        Notice(
+            f"Walls that are not vertical keep steps up to {step.width:.2g} mm wide and "
+            f"{step.height:.3g} mm high, the widest at {{at}}.",
+            "A smaller StepDown makes them smaller; a finishing operation removes them.",
+            step.place,
         )
     ]
 

@@ -3,20 +3,62 @@
 
 As FreeCAD's own operations do it: full steps down from the start depth, what
 is left as the last one, and, where a finish depth is set, one thin level at
-the very end.
+the very end. A flat ledge in the wall, or the top of a low island, is a floor too:
+the steps end on it and begin anew below. This is the one place that decides the
+levels; what the walls leave free at each of them comes with the request.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 
-from .model import Heights
+from shapely import Polygon
+
+from .model import Heights, PocketRequest
 
 #: A remainder thinner than this is no level of its own [mm].
 THIN = 1e-6
 
 
-def floors(heights: Heights, floor_stock: float = 0.0) -> list[float]:
+@dataclass(frozen=True, slots=True)
+class Level:
+    """One layer of the pocket, cleared at its bottom.
+
+    Attributes
+    ----------
+    top, bottom : float
+        Z [mm].
+    pocket : shapely.Polygon
+        Free for the cutter at the bottom.
+    mouth : shapely.Polygon
+        Free at the top.
+    """
+
+    top: float
+    bottom: float
+    pocket: Polygon
+    mouth: Polygon
+
+
+def levels_of(request: PocketRequest) -> list[Level]:
+    """Return the levels of a request, highest first."""
+    if request.sections:
+        bottoms = [s.z for s in request.sections]
+        shapes = [(s.pocket, s.mouth or s.pocket) for s in request.sections]
+    else:
+        bottoms = floors(request.heights, request.cutting.floor_stock)
+        shapes = [(request.pocket, request.pocket)] * len(bottoms)
+    heights = pairwise([request.heights.start_depth, *bottoms])
+    return [
+        Level(top, bottom, pocket, mouth)
+        for (top, bottom), (pocket, mouth) in zip(heights, shapes, strict=True)
+    ]
+
+
+def floors(heights: Heights, floor_stock: float = 0.0, ledges: Sequence[float] = ()) -> list[float]:
     """Return the levels' Z [mm], highest first; the last is ``final_depth + floor_stock``.
 
     Parameters
@@ -24,13 +66,20 @@ def floors(heights: Heights, floor_stock: float = 0.0) -> list[float]:
     heights : Heights
     floor_stock : float
         Stock to leave on the floor [mm].
+    ledges : sequence of float
+        Z at which a level has to end [mm]; those outside of the pocket's depth do not count.
     """
     top, bottom = heights.start_depth, heights.final_depth + floor_stock
     rough = bottom + heights.finish_depth
-    count = max(1, math.ceil((top - rough) / heights.step_down - THIN))
-    levels = [top - heights.step_down * i for i in range(1, count)]
-    if top - rough > THIN:
-        levels.append(rough)
+    stops = [z for z in ledges if bottom + THIN < z < top - THIN]
+    if rough < top - THIN:
+        stops.append(rough)
     if heights.finish_depth > THIN:
-        levels.append(bottom)
+        stops.append(bottom)
+    levels: list[float] = []
+    for stop in sorted(set(stops), reverse=True):
+        count = math.ceil((top - stop) / heights.step_down - THIN)
+        levels += [top - heights.step_down * i for i in range(1, count)]
+        levels.append(stop)
+        top = stop
     return levels

@@ -7,6 +7,7 @@ solid is entry: there a slot cannot be avoided, and it does not count.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -66,7 +67,8 @@ def measure_load(
         Of the toolpath.
     """
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
-    at_floor = fed & _near_any(engagement.points[:, 2], floors(pieces, request.floor))
+    known = [section.z for section in request.sections] or [request.floor]
+    at_floor = fed & _near_any(engagement.points[:, 2], floors(pieces, known))
     judged = at_floor & _past_entry(engagement, at_floor, request.cutter_radius)
     angles, lengths, limit = engagement.angles, engagement.lengths, request.engagement_limit
     chips = chip_loads(toolpath, engagement, request.feeds.horizontal, limit)
@@ -85,15 +87,15 @@ def measure_load(
     )
 
 
-def floors(pieces: Pieces, bottom: float) -> Floats:
-    """Return the Z of the floors that the path clears, descending; always with `bottom` [mm]."""
+def floors(pieces: Pieces, known: Sequence[float]) -> Floats:
+    """Return the Z of the floors that the path clears, descending; always with `known` [mm]."""
     level = pieces.is_level & ~pieces.rapid
     z = np.round(pieces.heights[level] / SAME_HEIGHT) * SAME_HEIGHT
     found, index = np.unique(z, return_inverse=True)
     lengths = np.bincount(index, pieces.lengths[level], minlength=len(found))
     long = found[lengths >= FLOOR_SHARE * lengths.max(initial=0.0)]
-    long = long[np.abs(long - bottom) > SAME_HEIGHT]
-    return np.sort(np.r_[long, bottom])[::-1]
+    long = long[~_near_any(long, np.array(known))]
+    return np.sort(np.r_[long, known])[::-1]
 
 
 def chip_loads(toolpath: Toolpath, engagement: Engagement, feed: float, limit: float) -> Floats:

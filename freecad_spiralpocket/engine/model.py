@@ -161,6 +161,27 @@ class Entry:
 
 
 @dataclass(frozen=True, slots=True)
+class Section:
+    """What the pocket's walls leave free at one level, where they are not vertical.
+
+    Attributes
+    ----------
+    z : float
+        Floor of the level [mm].
+    pocket : shapely.Polygon
+        Free at `z` and at every height above that the cutter's body passes, islands as holes
+        [mm]. Levels are nested: none reaches beyond the one above it.
+    mouth : shapely.Polygon or None
+        Free at the top of the level; what it has more than `pocket` stays as a step on the wall.
+        None where the walls of this level are vertical.
+    """
+
+    z: float
+    pocket: Polygon
+    mouth: Polygon | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class PocketRequest:
     """One pocket, one cutter, one way to cut it.
 
@@ -180,6 +201,9 @@ class PocketRequest:
         On which machine the time is to be least; None for a middling one.
     start_point : tuple of float or None
         Where the cutter shall go down, (x, y) [mm], as near as it can; None: where it is best.
+    sections : tuple of Section
+        The levels from the top down, where walls are slanted or stepped; the last is the floor
+        with `pocket` itself. Empty for vertical walls: then the heights give the levels.
     """
 
     pocket: Polygon
@@ -193,6 +217,7 @@ class PocketRequest:
     feed_plan: FeedPlan = FeedPlan()
     machine: Machine | None = None
     start_point: tuple[float, float] | None = None
+    sections: tuple[Section, ...] = ()
 
     @property
     def floor(self) -> float:
@@ -231,11 +256,14 @@ class SplineCurve:
         Non-decreasing, in [0, 1].
     control_points : ndarray of shape (n, 2)
         [mm]
+    height : float
+        Z at which it is cut last [mm]; strategies leave it at 0.
     """
 
     degree: int
     knots: Floats
     control_points: Floats
+    height: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -287,6 +315,8 @@ class Report:
     gouge : float
         How far the cutter's edge passes the wall (less the stock to leave) or the floor
         [mm], 0 or more.
+    step_width, step_height : float
+        Of the largest steps that stay on slanted walls between the levels [mm]; 0 for none.
     notices : tuple of Notice
     """
 
@@ -306,6 +336,8 @@ class Report:
     engagement_moves: NDArray[np.int64]
     uncut: MultiPolygon
     gouge: float
+    step_width: float = 0.0
+    step_height: float = 0.0
     notices: tuple[Notice, ...] = ()
 
     @property

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The whole way from a request to a proved plan, as a page of named stages.
 
-check -> cutter-center regions -> a floor path for each -> levels, entry, lifts
--> proof. Strategies only know climb milling: for conventional milling the
-regions are mirrored before, and what came of them after.
+check -> levels -> rooms, the cutter-center regions of each level -> a floor path
+for each -> entry, lifts -> feeds -> proof. Strategies only know climb milling:
+for conventional milling the regions are mirrored before, and what came of them
+after.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from .errors import CancelledError, ProofError, SpiralPocketError
 from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
 from .laps import automatic, linear_morph
-from .levels import floors
+from .levels import levels_of
 from .machine import MIDDLING
 from .model import (
     CutMode,
@@ -35,8 +36,8 @@ from .model import (
     Strategy,
     Tick,
 )
-from .region import center_regions, unreachable_notices
-from .rendering import render
+from .rendering import Cut, render
+from .rooms import Room, rooms_of
 from .stations import ends_of, stations_of
 from .timing import time_of
 from .toolpath import Toolpath
@@ -73,14 +74,12 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     require_libraries()
     _tell(progress, 0.0, "Checking the pocket")
     check_request(request)
-    radius, stock = request.cutter_radius, request.cutting.stock_to_leave
-    regions = center_regions(request.pocket, radius, stock)
-    notices = unreachable_notices(request.pocket, regions, radius, stock)
+    stock = request.cutting.stock_to_leave
+    rooms, notices = rooms_of(levels_of(request), request.cutter_radius, stock)
 
-    paths, uncut = _floor_paths(regions, request, progress)
-    levels = floors(request.heights, request.cutting.floor_stock)
-    toolpath = render(paths, levels, request)
-    curves = tuple(path.curve for path in paths if path.curve is not None)
+    cuts, uncut = _cuts(rooms, request, progress)
+    toolpath = render(cuts, request)
+    curves = _curves(cuts)
     if request.cutting.cut_mode is CutMode.CONVENTIONAL:
         toolpath, curves = toolpath.mirrored(), tuple(_mirrored_curve(c) for c in curves)
 
@@ -130,34 +129,67 @@ def _tell(progress: Progress | None, done: float, stage: str) -> None:
         raise CancelledError("Stopped by the user.", "Recompute the operation to try again.")
 
 
-def _floor_paths(
-    regions: Sequence[Polygon], request: PocketRequest, progress: Progress | None
-) -> tuple[list[FloorPath], tuple[Notice, ...]]:
-    """Return a path for each region that can be cut, and a notice for each that cannot."""
-    mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
-    strategy = _STRATEGIES[request.strategy]
-    paths, failures = [], []
-    for i, region in enumerate(regions):
+def _cuts(
+    rooms: Sequence[Room], request: PocketRequest, progress: Progress | None
+) -> tuple[list[Cut], tuple[Notice, ...]]:
+    """Return a path for each room that can be cut, and a notice for each that cannot.
 
-        def tick(done: float, room: int = i) -> None:
-            share = (room + done) / len(regions)
-            _tell(progress, 0.1 + 0.6 * share, "Laying the spiral")
+    Rooms with the same region have the same path; under a room that is not cut none is.
+    """
+    regions = {room.region.wkb: room.region for room in rooms}
+    paths: dict[bytes, FloorPath | SpiralPocketError] = {}
+    cuts: list[Cut] = []
+    failures: list[SpiralPocketError] = []
+    cut_rooms: set[Room | None] = {None}
+    for room in rooms:
+        if room.above not in cut_rooms:
+            continue
+        key = room.region.wkb
+        if key not in paths:
 
-        tick(0.0)
-        try:
-            paths.append(strategy(_mirrored(region) if mirrored else region, request, tick))
-        except CancelledError:
-            raise
-        except SpiralPocketError as error:
-            if mirrored and error.place is not None:
-                error.place = (-error.place[0], error.place[1])
-            failures.append(error)
-    if not paths:
+            def tick(done: float, finished: int = len(paths)) -> None:
+                share = (finished + done) / len(regions)
+                _tell(progress, 0.1 + 0.6 * share, "Laying the spiral")
+
+            paths[key] = _floor_path(room.region, request, tick)
+        path = paths[key]
+        if isinstance(path, FloorPath):
+            cuts.append(Cut(room, path))
+            cut_rooms.add(room)
+        else:
+            failures.append(path)
+    if not cuts:
         raise failures[0]
-    return paths, tuple(
+    return cuts, tuple(
         Notice(f"{error.message} That part stays uncut.", error.hint, error.place)
         for error in failures
     )
+
+
+def _floor_path(
+    region: Polygon, request: PocketRequest, tick: Tick
+) -> FloorPath | SpiralPocketError:
+    """Return the path of one region, or what is the matter with it."""
+    mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
+    strategy = _STRATEGIES[request.strategy]
+    tick(0.0)
+    try:
+        return strategy(_mirrored(region) if mirrored else region, request, tick)
+    except CancelledError:
+        raise
+    except SpiralPocketError as error:
+        if mirrored and error.place is not None:
+            error.place = (-error.place[0], error.place[1])
+        return error
+
+
+def _curves(cuts: Sequence[Cut]) -> tuple[SplineCurve, ...]:
+    """Return the exact curve of each path, at the lowest level that it cuts."""
+    curves = {}
+    for cut in cuts:
+        if cut.path.curve is not None:
+            curves[id(cut.path)] = replace(cut.path.curve, height=cut.room.level.bottom)
+    return tuple(curves.values())
 
 
 def _mirrored(region: Polygon) -> Polygon:

@@ -1,55 +1,56 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From plane paths and levels to moves: entry, passes, lifts, next level.
 
-A room is cut down to its floor before the next one is begun. Between levels
-of a room the cutter only lifts to the safe height, between rooms to the
-clearance height.
+A room is cut down to its floor before the next one is begun. On the way down
+the cutter only lifts to the safe height, between rooms to the clearance height.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from .entry import APPROACH, cut_entry, entry_start
 from .floor import FloorPath, Helix, Pass, Slot
 from .model import PocketRequest
+from .rooms import Room
 from .toolpath import Role, Toolpath, ToolpathBuilder
 
 
-def render(paths: Sequence[FloorPath], levels: Sequence[float], request: PocketRequest) -> Toolpath:
-    """Return the moves that cut every path at every level.
+@dataclass(frozen=True, slots=True, eq=False)
+class Cut:
+    """One room and the path that clears it."""
+
+    room: Room
+    path: FloorPath
+
+
+def render(cuts: Sequence[Cut], request: PocketRequest) -> Toolpath:
+    """Return the moves that cut every room.
 
     Parameters
     ----------
-    paths : sequence of FloorPath
-        One per cutter-center region.
-    levels : sequence of float
-        Z of the floors, highest first [mm].
+    cuts : sequence of Cut
+        In cutting order, one at least.
     request : PocketRequest
         For its heights, feeds and helix angle.
     """
-    heights = request.heights
-    tops = [heights.start_depth, *levels[:-1]]
-    x, y = entry_start(paths[0].entry, request.entry.helix_angle, tops[0], levels[0])
+    heights, first = request.heights, cuts[0]
+    level = first.room.level
+    x, y = entry_start(first.path.entry, request.entry.helix_angle, level.top, level.bottom)
     builder = ToolpathBuilder((x, y, heights.clearance))
-    for path in paths:
-        lift = heights.clearance
-        for top, bottom in zip(tops, levels, strict=True):
-            _cut_level(builder, path, top, bottom, lift, request)
-            lift = heights.safe
-        builder.rapid(request.feeds.vertical_rapid, z=heights.clearance)
+    here: Room | None = None
+    for cut in cuts:
+        goes_on = here is not None and cut.room.above is here
+        _cut_room(builder, cut, heights.safe if goes_on else heights.clearance, request)
+        here = cut.room
+    builder.rapid(request.feeds.vertical_rapid, z=heights.clearance)
     return builder.build()
 
 
-def _cut_level(
-    builder: ToolpathBuilder,
-    path: FloorPath,
-    top: float,
-    bottom: float,
-    lift: float,
-    request: PocketRequest,
-) -> None:
-    """Add one level of one region: over to it at height `lift`, down, and all passes."""
+def _cut_room(builder: ToolpathBuilder, cut: Cut, lift: float, request: PocketRequest) -> None:
+    """Add one level of one room: over to it at height `lift`, down, and all passes."""
+    path, top, bottom = cut.path, cut.room.level.top, cut.room.level.bottom
     feeds, safe = request.feeds, request.heights.safe
     builder.rapid(feeds.vertical_rapid, z=lift)
     _go_down(builder, path.entry, top, bottom, request)

@@ -8,18 +8,27 @@ what a machinist should know becomes a notice in the report.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+import shapely
+from shapely import MultiPolygon, Polygon
 
 from . import findings
 from .collisions import Hit, hits_along, rapid_plunges
 from .coverage import reachable_floor, uncut_floor
 from .engagement import Engagement, along_path
 from .gouge import gouge_depth
+from .levels import Level, levels_of
 from .loads import measure_load
 from .model import PocketRequest, Report
-from .swept import Pieces, cut_into_pieces
+from .region import polygons_of
+from .steps import largest_step
+from .swept import SAME_HEIGHT, Pieces, cut_into_pieces
 from .toolpath import Kind, Role, Toolpath
 
+#: Narrower steps on slanted walls are not told [mm].
+TOLD_STEP = 0.05
 #: Air moves may skim this many tolerances of stock (that much a path may leave on both sides)
 #: or this share of the radius, which no cutter feels.
 AIR_TOLERANCES, AIR_SHARE = 2.0, 0.02
@@ -42,15 +51,15 @@ def prove(
     Report
         Engagement points and angles are those of feed moves.
     """
-    r, stock = request.cutter_radius, request.cutting.stock_to_leave
-    top, bottom = request.heights.start_depth, request.floor
+    r, top, bottom = request.cutter_radius, request.heights.start_depth, request.floor
     pieces = cut_into_pieces(toolpath, r, top, request.axial_depth)
     if engagement is None:
         engagement = along_path(toolpath, r, axial_depth=request.axial_depth, top=top)
     load = measure_load(request, toolpath, engagement, pieces)
-    reach = reachable_floor(request.pocket, r, stock)
-    uncut = uncut_floor(reach, pieces, bottom, r, request.tolerance)
-    gouge, place = gouge_depth(request.pocket, pieces, r + stock)
+    levels = levels_of(request)
+    uncut = _uncut(request, levels, pieces)
+    gouge, place = _gouge(levels, pieces, r + request.cutting.stock_to_leave)
+    step = largest_step(levels, TOLD_STEP)
     too_deep = max(0.0, bottom - float(toolpath.points[:, 2].min(initial=bottom)))
     rapid, link = _hits(request, toolpath, engagement, pieces)
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
@@ -71,15 +80,58 @@ def prove(
         engagement_moves=engagement.moves[fed],
         uncut=uncut,
         gouge=max(gouge, too_deep),
+        step_width=step.width,
+        step_height=step.height,
         notices=(
             *findings.tell_gouge(gouge, place, request.tolerance),
             *findings.tell_too_deep(too_deep, request.tolerance),
             *findings.tell_hits("rapid", rapid.length, rapid.place),
             *findings.tell_hits("link", link.length, link.place),
             *findings.tell_uncut(uncut, request),
+            *findings.tell_steps(step),
             *findings.tell_engagement(load.largest, load.place, request),
         ),
     )
+
+
+def _gouge(
+    levels: Sequence[Level], pieces: Pieces, clearance: float
+) -> tuple[float, tuple[float, float] | None]:
+    """Return how far the cutter passes the wall, at each level by the level's own wall."""
+    bottoms = np.array([level.bottom for level in levels])
+    lowest = pieces.bottoms.min(axis=1)
+    layer = (bottoms[None, :] > lowest[:, None] + SAME_HEIGHT).sum(axis=1)
+    layer = np.minimum(layer, len(levels) - 1)
+    found = [
+        gouge_depth(pocket, pieces.select(np.isin(layer, members)), clearance)
+        for pocket, members in _alike(levels)
+    ]
+    return max(found, key=lambda each: each[0])
+
+
+def _uncut(request: PocketRequest, levels: Sequence[Level], pieces: Pieces) -> MultiPolygon:
+    """Return what the cutter could reach and left standing at any level.
+
+    What is cut at one level is cut above it too: of levels alike the lowest tells.
+    """
+    r, left = request.cutter_radius, []
+    for pocket, members in _alike(levels):
+        bottom = levels[members[-1]].bottom
+        reach = reachable_floor(pocket, r, request.cutting.stock_to_leave)
+        left.append(uncut_floor(reach, pieces, bottom, r, request.tolerance))
+    if len(left) == 1:
+        return left[0]
+    return MultiPolygon(polygons_of(shapely.union_all(left)))
+
+
+def _alike(levels: Sequence[Level]) -> list[tuple[Polygon, list[int]]]:
+    """Return the different outlines, and the numbers of the levels that have each."""
+    outlines: list[tuple[Polygon, list[int]]] = []
+    for number, level in enumerate(levels):
+        if not (outlines and outlines[-1][0] == level.pocket):
+            outlines.append((level.pocket, []))
+        outlines[-1][1].append(number)
+    return outlines
 
 
 def _hits(

@@ -64,16 +64,16 @@ def curves_shape(plans: Sequence[Plan]) -> Any:
     """Return the exact curves of all plans as one shape, empty if there are none."""
     edges = []
     for plan in plans:
-        edges += [edge(curve, plan.request.floor) for curve in plan.curves]
+        edges += [edge(curve) for curve in plan.curves]
     return Part.Compound(edges) if edges else Part.Shape()
 
 
-def edge(curve: SplineCurve, z: float) -> Any:
-    """Return `curve` as an edge at height `z` [mm]."""
+def edge(curve: SplineCurve) -> Any:
+    """Return `curve` as an edge at its height."""
     knots, multiplicities = np.unique(curve.knots, return_counts=True)
     spline = Part.BSplineCurve()
     spline.buildFromPolesMultsKnots(
-        [FreeCAD.Vector(x, y, z) for x, y in curve.control_points.tolist()],
+        [FreeCAD.Vector(x, y, curve.height) for x, y in curve.control_points.tolist()],
         multiplicities.tolist(),
         knots.tolist(),
         False,
