@@ -134,16 +134,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         """
         if not self._setBaseAndStock(obj, ignoreErrors):
             return False
-        stock = self.stock.Shape.BoundBox
-        heights = selection.heights(obj.Base)
-        floor = min(heights, default=stock.ZMin)
-        top = max([stock.ZMax, *heights])
-        values = {
-            "OpStockZMin": stock.ZMin,
-            "OpStockZMax": stock.ZMax,
-            "OpFinalDepth": floor,
-            "OpStartDepth": top if top > floor else floor + 1.0,
-        }
+        values = selection.depth_limits(obj.Base, self.stock.Shape.BoundBox)
         properties.set_results(obj, values)
         return True
 

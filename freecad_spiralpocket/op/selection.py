@@ -124,6 +124,27 @@ def heights(base: list[tuple[Any, Any]]) -> list[float]:
     return result
 
 
+def depth_limits(base: list[tuple[Any, Any]], stock: Any) -> dict[str, float]:
+    """Return what FreeCAD's expressions for depths and heights start from [mm].
+
+    Parameters
+    ----------
+    base : list
+        FreeCAD's list of faces; the deepest level one counts.
+    stock : object
+        Bounding box of the stock.
+    """
+    levels = heights(base)
+    floor = min(levels, default=stock.ZMin)
+    top = max([stock.ZMax, *levels])
+    return {
+        "OpStockZMin": stock.ZMin,
+        "OpStockZMax": stock.ZMax,
+        "OpFinalDepth": floor,
+        "OpStartDepth": top if top > floor else floor + 1.0,
+    }
+
+
 def _element(model: Any, name: str) -> Any:
     """Return the sub-shape `name`, which FreeCAD marks with "?" when it lost it."""
     try:

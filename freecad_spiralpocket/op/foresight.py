@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The operation as its next recompute will see it, without recomputing anything.
+
+Depths and heights are expressions over values that FreeCAD brings up to date in a
+recompute only (`OpStartDepth`, `OpToolDiameter` and so on): right after an operation
+was made or its tool changed they are stale. Here these values are taken from stock,
+floors and tool as they are now, and every expression is evaluated with them. The
+document is only read.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import FreeCAD
+
+from ..engine.errors import RequestError, SpiralPocketError
+from ..engine.model import PocketRequest
+from . import selection
+from .compat import parent_job
+from .pockets import Pockets
+
+
+class Foresight:
+    """Stands in for an operation where only its properties are read.
+
+    Raises
+    ------
+    SpiralPocketError
+        If the next recompute could not begin: no job, no tool.
+    """
+
+    def __init__(self, obj: Any) -> None:
+        obj.Proxy.check_setup(obj)
+        self._obj = obj
+        self._values = {k: FreeCAD.Units.Quantity(v, FreeCAD.Units.Length) for k, v in _now(obj)}
+        for name, expression in obj.ExpressionEngine:
+            if hasattr(obj, name):
+                self._values[name] = self._evaluated(name, expression)
+
+    def __getattr__(self, name: str) -> Any:
+        """Return a property's value to come."""
+        values = self.__dict__["_values"]
+        return values[name] if name in values else getattr(self.__dict__["_obj"], name)
+
+    def _evaluated(self, name: str, expression: str) -> Any:
+        """Return what an expression will give, in the property's own type."""
+
+        def value_of(match: re.Match[str]) -> str:
+            value = self._values.get(match.group())
+            return match.group() if value is None else f"({value.Value!r} mm)"
+
+        try:
+            value = self._obj.evalExpression(re.sub(r"\b(?<!\.)Op[A-Z]\w*\b", value_of, expression))
+        except (RuntimeError, ValueError, ArithmeticError) as error:
+            raise RequestError(
+                f"The expression of {name} cannot be evaluated: {error}.", "Mend or remove it."
+            ) from error
+        now = getattr(self._obj, name)
+        if hasattr(now, "Unit"):
+            return FreeCAD.Units.Quantity(getattr(value, "Value", value), now.Unit)
+        return type(now)(getattr(value, "Value", value))
+
+
+def requests_of(obj: Any) -> list[PocketRequest | SpiralPocketError]:
+    """Return what the next recompute will ask for, one for each selected face.
+
+    Raises
+    ------
+    SpiralPocketError
+        If it could not begin: no job, no tool, no face.
+    """
+    return [wanted for _, wanted in Pockets(Foresight(obj)).requests()]
+
+
+def _now(obj: Any) -> list[tuple[str, float]]:
+    """Return what the recompute will set of its own accord [mm]."""
+    tool = obj.ToolController.Proxy.getTool(obj.ToolController)
+    depths = selection.depth_limits(obj.Base, parent_job(obj).Stock.Shape.BoundBox)
+    return [("OpToolDiameter", float(tool.Diameter)), *depths.items()]
