@@ -60,6 +60,7 @@ class Strategy(Enum):
 
     AUTOMATIC = "Automatic"
     LINEAR_MORPH = "Linear Morph"
+    CENTRAL_SPIRAL = "Central Spiral"
 
 
 @dataclass(frozen=True, slots=True)

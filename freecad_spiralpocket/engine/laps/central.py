@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Central Spiral: a true circular spiral that turns into the pocket's outline [CS08].
+
+For pockets about as wide as long, round, square or polygonal, on machines that
+lose time in corners: the inner laps are circles of even thickness.
+
+- The spiral is Archimedean, one step-over a turn, until its diameter is the share
+  C of the pocket's width (eq. 1; both of the cutter's center, so that C = 1 touches
+  the wall). C is the one that takes least time on the machine, sought from the
+  paper's 55 % outwards.
+- From there rays to the wall carry the control points (section 2.3), evenly divided,
+  so that no ray is divided coarser than the step-over. The rays go to points of the
+  wall that are closer in bends, instead of one each degree.
+- Control points in the corners are removed: here the wall is rounded by the largest
+  radius that leaves the closing lap no more than a share of the step-over.
+- The step is even along each ray and shorter where the wall is near. Feed by
+  thickness (section 2.4) is the feed mode "Linear slow-down", by measured engagement,
+  which counts bends too, instead of by the distance of points.
+
+Islands, and walls that the middle does not see, are refused.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import shapely
+from shapely import Point, Polygon
+
+from ..entry import fit_helix_radius
+from ..errors import NotYetError
+from ..floor import FloorPath, Helix
+from ..machine import MIDDLING
+from ..model import Floats, PocketRequest, Tick
+from ..polyline import ring_from, turning_samples
+from ..region import grow, polygons_of
+from ..splines import periodic_beziers, periodic_cubic, sample_beziers
+from ..starshape import deepest_center
+from ..timing import polyline_seconds
+from .closing import closing_passes
+from .linear_morph import spiral_beziers
+
+#: C, the end of the circular spiral, in the order tried: the paper's best first.
+RATIOS = (0.55, 0.5, 0.6, 0.45, 0.65, 0.4, 0.7, 0.3, 0.8)
+#: Fillet radii of the rounded wall tried, over the step-over.
+FILLETS = (4.0, 3.0, 2.4, 1.75, 1.3, 1.0, 0.7, 0.5)
+#: It is no more than this share of the room about the middle.
+MOST_FILLET = 0.5
+#: What the rounding may leave in a corner for the closing lap, over the step-over: where the wall
+#: turns at once the engagement jumps.
+CORNER_BITE = 0.5
+#: The spline of the wall runs this far inside of it [mm].
+INSET = 0.01
+#: Longest distance between its points, and turning between them [mm, rad]; halved until it stays
+#: inside the region.
+SAMPLE_LENGTH, SAMPLE_TURN = 8.0, 0.5
+HALVINGS = 6
+#: Chords of the spirals that are compared keep within this [mm].
+COARSE = 0.05
+
+
+def floor_path(
+    region: Polygon, request: PocketRequest, tick: Tick, ratio: float | None = None
+) -> FloorPath:
+    """Make the spiral of one cutter-center region.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        Counter-clockwise.
+    request : PocketRequest
+    tick : callable
+        See `model.Tick`.
+    ratio : float, optional
+        C, in ``(0, 1)``; by default the one that takes least time on the machine.
+
+    Raises
+    ------
+    NotYetError
+        If the region has islands or walls that its middle does not see.
+    CutterDoesNotFitError
+        If there is no room for the helix.
+    """
+    center = _middle(region)
+    radius = fit_helix_radius(region, center, request.cutter_radius, request.entry)
+    stepover = request.cutting.stepover
+    room = region.boundary.distance(Point(center))
+    fillet = min(corner_fillet(region, stepover), MOST_FILLET * room)
+    breaks, outer = wall_spline(region, center, fillet)
+    tick(0.3)
+
+    circle = unit_circle(center, breaks, outer)
+
+    def spiral(share: float, tolerance: float) -> Floats:
+        end = max(radius, share * room)
+        turns = circular_turns(center, radius, end, stepover, tolerance)
+        _, morph = spiral_beziers(breaks, center + end * circle, outer, stepover)
+        return np.vstack([turns[:-1], sample_beziers(morph, tolerance)])
+
+    if ratio is None:
+        ratio = min(RATIOS, key=lambda share: _seconds(spiral(share, COARSE), request))
+    tick(0.9)
+    points = spiral(ratio, request.tolerance / 2)
+    start = points[0] - center
+    helix = Helix(center, radius, math.atan2(start[1], start[0]))
+    rounded = sample_beziers(periodic_beziers(breaks, outer), request.tolerance / 2)
+    return FloorPath(helix, closing_passes(points, rounded, region, request))
+
+
+def _middle(region: Polygon) -> Floats:
+    """Return the center of the spiral, or refuse the region."""
+    hint = "Choose the strategy Automatic or Isotherm for this pocket."
+    if region.interiors:
+        island = region.interiors[0].centroid
+        raise NotYetError(
+            "Central Spiral cannot go round islands; there is one at {at}.",
+            hint,
+            (island.x, island.y),
+        )
+    center = deepest_center(region)
+    if center is None:
+        place = shapely.point_on_surface(region)
+        raise NotYetError(
+            "Central Spiral needs a pocket whose whole wall can be seen from one place in its "
+            "middle; the one at {at} has walls behind corners.",
+            hint,
+            (place.x, place.y),
+        )
+    return center
+
+
+def corner_fillet(region: Polygon, stepover: float) -> float:
+    """Return the largest fillet that leaves the closing lap little enough in the corners [mm]."""
+    corners = shapely.points(shapely.get_coordinates(region))
+    for share in FILLETS:
+        opened = grow(grow(region, -share * stepover), share * stepover)
+        shapely.prepare(opened)
+        if not opened.is_empty and shapely.dwithin(opened, corners, CORNER_BITE * stepover).all():
+            return share * stepover
+    return FILLETS[-1] * stepover
+
+
+def wall_spline(region: Polygon, center: Floats, fillet: float) -> tuple[Floats, Floats]:
+    """Return the wall as a closed C2 cubic inside the region, from the positive x-axis on.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        Counter-clockwise, seen wholly from `center`.
+    center : ndarray of shape (2,)
+    fillet : float
+        Radius of the rounding of its corners [mm].
+
+    Returns
+    -------
+    breaks : ndarray of shape (n + 1,)
+    controls : ndarray of shape (n, 2)
+        See `splines.periodic_cubic`.
+
+    Raises
+    ------
+    NotYetError
+        If no spline keeps inside.
+    """
+    rounded = polygons_of(grow(grow(region, -fillet - INSET), fillet))[0]
+    ring = ring_from(np.array(rounded.exterior.coords)[:-1], center, toward=(1.0, 0.0))
+    for halving in range(HALVINGS):
+        share = 0.5**halving
+        points = turning_samples(ring, SAMPLE_LENGTH * share, SAMPLE_TURN * share)
+        breaks, controls = periodic_cubic(points)
+        curve = sample_beziers(periodic_beziers(breaks, controls), INSET / 4)
+        a, b = curve[:-1] - center, curve[1:] - center
+        seen = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > -1e-6
+        if seen.all() and region.contains(Polygon(curve)):
+            return breaks, controls
+    raise NotYetError(
+        "The wall of the pocket about {at} is too jagged for Central Spiral.",
+        "Check the outline for tiny steps, or choose a smaller cutter.",
+        (float(center[0]), float(center[1])),
+    )
+
+
+def circular_turns(
+    center: Floats, start_radius: float, end_radius: float, stepover: float, tolerance: float
+) -> Floats:
+    """Return the Archimedean spiral, one step-over a turn; it ends on the positive x-axis.
+
+    Parameters
+    ----------
+    center : ndarray of shape (2,)
+    start_radius, end_radius : float
+        [mm]
+    stepover, tolerance : float
+        Thickness, and what the chords keep within [mm].
+
+    Returns
+    -------
+    ndarray of shape (k, 2)
+        [mm]
+    """
+    turned = 2 * math.pi * (end_radius - start_radius) / stepover
+    chord = 2 * math.acos(1 - min(0.5, tolerance / end_radius))
+    angles = np.linspace(-turned, 0.0, math.ceil(turned / chord) + 1)
+    radii = end_radius + stepover * angles / (2 * math.pi)
+    return center + radii[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def unit_circle(center: Floats, breaks: Floats, outer: Floats) -> Floats:
+    """Return the circle of radius 1 about 0 as a spline, its points on the rays to the wall's.
+
+    Parameters
+    ----------
+    center : ndarray of shape (2,)
+    breaks : ndarray of shape (n + 1,)
+    outer : ndarray of shape (n, 2)
+        The wall; see `splines.periodic_cubic`.
+
+    Returns
+    -------
+    ndarray of shape (n, 2)
+        Periodic control points over the same breaks.
+    """
+    from scipy.interpolate import make_interp_spline
+
+    rays = periodic_beziers(breaks, outer)[:, 0] - center
+    rays /= np.linalg.norm(rays, axis=1)[:, None]
+    closed = np.vstack([rays, rays[:1]])
+    spline = make_interp_spline(breaks, closed, k=3, bc_type="periodic")
+    return np.asarray(spline.c)[: len(rays)]
+
+
+def _seconds(spiral: Floats, request: PocketRequest) -> float:
+    """Return how long the machine takes for a spiral [s]."""
+    points = np.column_stack([spiral, np.zeros(len(spiral))])
+    feed, machine = request.feeds.horizontal, request.machine or MIDDLING
+    return float(polyline_seconds(points, feed, machine))
