@@ -40,11 +40,14 @@ class Skeleton:
     clearance : ndarray of shape (n,)
         Distance of each node to the boundary [mm].
     edges : ndarray of int, shape (m, 2)
+    walls : ndarray of shape (m, 2, 2)
+        The two places on the boundary that are nearest to each edge, one on either side [mm].
     """
 
     nodes: Floats
     clearance: Floats
     edges: NDArray[np.intp]
+    walls: Floats
 
 
 def medial_axis(region: Polygon) -> Skeleton:
@@ -71,7 +74,10 @@ def medial_axis(region: Polygon) -> Skeleton:
     used, edges = np.unique(edges, return_inverse=True)
     nodes = vertices[used]
     return Skeleton(
-        nodes, shapely.distance(region.boundary, shapely.points(nodes)), edges.reshape(-1, 2)
+        nodes,
+        shapely.distance(region.boundary, shapely.points(nodes)),
+        edges.reshape(-1, 2),
+        samples[pairs[keep]],
     )
 
 

@@ -156,7 +156,7 @@ def _curve(region: Polygon, spine: shapely.Geometry, request: PocketRequest) -> 
         shape = buffer(spine, half * request.tool_diameter)
         for rounding in ROUNDINGS:
             visited = _rounded(shape, region, rounding * request.cutter_radius)
-            if _leaves_no_post(visited, request):
+            if leaves_no_post(visited, request):
                 return _slot_start("curve", visited, region, request)
     return None
 
@@ -178,7 +178,8 @@ def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:
     return largest(shapely.intersection(shape, omega))
 
 
-def _leaves_no_post(visited: Polygon, request: PocketRequest) -> bool:
+def leaves_no_post(visited: Polygon, request: PocketRequest) -> bool:
+    """Return whether the cutter, once round the outside of `visited`, clears all of it."""
     ring = LineString(shapely.simplify(visited.exterior, 0.01).coords)
     swept = shapely.buffer(ring, request.cutter_radius, quad_segs=16)
     return bool(shapely.difference(Polygon(visited.exterior), swept).area < 1e-3)

@@ -34,6 +34,7 @@ PENTAGON = rounded(regular(5, 27.0, math.pi / 2), 4.0)
 CIRCLE = Point(10, 5).buffer(30, quad_segs=256)
 L_SHAPE = Polygon([(0, 0), (80, 0), (80, 30), (30, 30), (30, 80), (0, 80)])
 DUMBBELL = box(-50, -20, -15, 20).union(box(15, -20, 50, 20)).union(box(-20, -6, 20, 6))
+TEE = rounded(box(-45, 0, 45, 24).union(box(-14, -50, 14, 10)), 3.5)
 RING = box(0, 0, 60, 60).difference(Point(30, 30).buffer(8))
 
 
@@ -62,3 +63,18 @@ def convex_pockets(draw) -> Polygon:
         [(a * math.cos(t), b * math.sin(t)) for t in (*angles, 0.3, 2.4, 4.5)]
     ).convex_hull
     return rounded(hull, draw(st.floats(0.0, 4.0)))
+
+
+@st.composite
+def crossed_bars(draw) -> Polygon:
+    """Draw a pocket of two to four bars that overlap: bends, tees, crosses and steps."""
+    count = draw(st.integers(2, 4))
+    x = y = 0.0
+    shape = Polygon()
+    for i in range(count):
+        long, wide = draw(st.floats(14, 40)), draw(st.floats(6.0, 16))
+        half = (long, wide) if i % 2 == 0 else (wide, long)
+        shape = shape.union(box(x - half[0], y - half[1], x + half[0], y + half[1]))
+        x += draw(st.floats(-0.8, 0.8)) * half[0]
+        y += draw(st.floats(-0.8, 0.8)) * half[1]
+    return Polygon(rounded(Polygon(shape.exterior), draw(st.floats(0.0, 4.0))).exterior)

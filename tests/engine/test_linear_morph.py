@@ -5,18 +5,33 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import HealthCheck, given, settings
 from scipy.interpolate import BSpline
-from shapely import LineString, Polygon
-from shapes import CIRCLE, DUMBBELL, L_SHAPE, PENTAGON, RING, SQUARE, TRIANGLE, convex_pockets
+from shapely import LineString, Point, Polygon
+from shapes import (
+    CIRCLE,
+    DUMBBELL,
+    L_SHAPE,
+    PENTAGON,
+    RING,
+    SQUARE,
+    TEE,
+    TRIANGLE,
+    convex_pockets,
+    crossed_bars,
+)
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetError
+from freecad_spiralpocket.engine.floor import Slot
 from freecad_spiralpocket.engine.laps import linear_morph
 from freecad_spiralpocket.engine.region import center_regions
 from freecad_spiralpocket.engine.splines import periodic_cubic
 
 PAPER = [pytest.param(p, id=n) for n, p in zip("345", (TRIANGLE, SQUARE, PENTAGON), strict=True)]
+
+BRANCHED = [pytest.param(p, id=n) for n, p in (("L", L_SHAPE), ("neck", DUMBBELL), ("T", TEE))]
 
 
 def no_tick(done: float) -> None:
@@ -34,25 +49,21 @@ def closed_spline(breaks: np.ndarray, controls: np.ndarray) -> BSpline:
     return BSpline(knots, controls[np.arange(len(controls) + 3) % len(controls)], 3)
 
 
-@pytest.mark.parametrize("pocket", PAPER)
+@pytest.mark.parametrize("pocket", [*PAPER, *BRANCHED])
 def test_spiral_is_equation_3_exactly(pocket):
-    region = center_regions(pocket, 3.0, 0.0)[0]
-    center = np.array(region.centroid.coords[0])
-    breaks, outer = linear_morph.wall_spline(region, center, 2.4)
-    rays = outer - center
-    inner = center + 2.8 * rays / np.linalg.norm(rays, axis=1)[:, None]
-    turns, beziers = linear_morph.spiral_beziers(breaks, inner, outer, 2.4)
-    all_breaks = np.append(((np.arange(turns)[:, None] + breaks[:-1]) / turns).ravel(), 1.0)
-    curve = linear_morph.join_c2(beziers, all_breaks)
+    region, path = spiral_of(pocket)
+    morph = linear_morph.morph_of(region, make_request(pocket))
+    turns, _ = linear_morph.spiral_beziers(morph.breaks, morph.inner, morph.outer, 2.4)
     u = np.linspace(0, 1, 10_000)[:-1]
-    d_in, d_out = closed_spline(breaks, inner), closed_spline(breaks, outer)
+    d_in, d_out = (closed_spline(morph.breaks, c) for c in (morph.inner, morph.outer))
     lap = (u * turns) % 1.0
     expected = (1 - u)[:, None] * d_in(lap) + u[:, None] * d_out(lap)
+    curve = path.curve
     spiral = BSpline(curve.knots, curve.control_points, curve.degree)(u)
     assert np.abs(spiral - expected).max() < 1e-9
 
 
-@pytest.mark.parametrize("pocket", PAPER)
+@pytest.mark.parametrize("pocket", [*PAPER, *BRANCHED])
 def test_spiral_is_c2(pocket):
     _, path = spiral_of(pocket)
     curve = path.curve
@@ -94,19 +105,66 @@ def test_any_convex_pocket_gets_nested_laps_inside_its_region(pocket):
     assert regions[0].buffer(0.01).covers(LineString(path.passes[1].points))
 
 
-@pytest.mark.parametrize(
-    ("pocket", "said"),
-    [(RING, "cannot go round islands.*X30.0 Y30.0"), (DUMBBELL, "whole wall can be seen")],
-)
-def test_pockets_beyond_it_are_refused_with_a_reason(pocket, said):
-    with pytest.raises(NotYetError, match=said) as caught:
-        spiral_of(pocket)
+@settings(max_examples=20, deadline=None, suppress_health_check=list(HealthCheck))
+@given(crossed_bars())
+def test_any_branched_pocket_is_cleared_by_nested_laps_or_refused_with_a_place(pocket):
+    region = center_regions(pocket, 3.0, 0.0)[0]
+    try:
+        path = linear_morph.floor_path(region, make_request(pocket), no_tick)
+    except NotYetError as error:
+        refused_at = error.place
+    else:
+        refused_at = None
+    if refused_at is not None:
+        assert region.distance(Point(refused_at)) < 0.1
+        return
+    spiral, lap = (LineString(part.points) for part in path.passes[:2])
+    assert region.buffer(1e-6).covers(spiral)
+    assert spiral.is_simple
+    cleared = shapely.union_all([g.buffer(3.0) for g in (*_opened(path), spiral, lap)])
+    assert region.buffer(2.99).difference(cleared).area < 0.05
+
+
+def _opened(path) -> list:
+    """Return what the entry follows."""
+    if isinstance(path.entry, Slot):
+        return [LineString(np.vstack([path.entry.ring, path.entry.ring[:1]]))]
+    return [Point(path.entry.center).buffer(path.entry.radius)]
+
+
+def test_islands_are_refused_with_a_reason():
+    with pytest.raises(NotYetError, match=r"cannot go round islands.*X30.0 Y30.0") as caught:
+        spiral_of(RING)
     assert caught.value.hint
 
 
-def test_star_shaped_pocket_is_cut_from_where_its_wall_is_seen():
-    region, path = spiral_of(L_SHAPE)
-    assert region.covers(LineString(path.passes[0].points))
+@pytest.mark.parametrize("pocket", BRANCHED)
+def test_slender_inner_curve_is_opened_as_a_slot_along_the_axis(pocket):
+    region, path = spiral_of(pocket)
+    assert isinstance(path.entry, Slot)
+    assert path.entry.bite < 2.0
+    ring = Polygon(path.entry.ring)
+    assert region.contains(ring)
+    # the spiral goes on where the slot ends, and the slot leaves no post
+    np.testing.assert_allclose(path.passes[0].points[0], path.entry.ring[0], atol=1e-9)
+    assert ring.difference(ring.exterior.buffer(3.0)).area < 1e-3
+
+
+def test_laps_that_would_cross_themselves_are_found_at_their_place():
+    angles = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    circle = np.column_stack([np.cos(angles), np.sin(angles)])
+    breaks, outer = periodic_cubic(20 * circle)
+    assert linear_morph.fold(breaks, 3 * circle, outer) is None
+    folded = outer.copy()
+    folded[5:8] = folded[5:8][::-1]  # the wall runs back a little there
+    place = linear_morph.fold(breaks, 3 * circle, folded)
+    assert np.hypot(*(place - outer[6])) < 5.0 or np.hypot(*(place - 3 * circle[6])) < 5.0
+
+
+def test_pocket_whose_laps_would_cross_themselves_is_refused(monkeypatch):
+    monkeypatch.setattr(linear_morph, "fold", lambda *curves: np.array([11.0, 22.0]))
+    with pytest.raises(NotYetError, match=r"cross themselves at X11.0 Y22.0"):
+        spiral_of(L_SHAPE)
 
 
 def test_spline_through_a_wall_keeps_its_points():
