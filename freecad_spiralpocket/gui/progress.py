@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Progress with a Stop button while a path is computed.
 
-A recompute blocks FreeCAD's window. The dialog lets it draw and listens to
-Stop, and as it is modal to the whole application nothing else can be clicked:
+A recompute blocks FreeCAD's window, though the pockets are planned beside it
+(`planning`). The dialog lets it draw and listens to Stop, which ends the planning
+wherever it is; as it is modal to the whole application nothing else can be clicked:
 a document closed in the middle of a recompute would crash FreeCAD. The document
 is not touched here. The dialog appears only for work that takes longer.
 """
@@ -19,6 +20,7 @@ from PySide import QtCore, QtGui
 
 from ..engine.model import Progress
 from ..op.operation import ObjectSpiralPocket
+from . import planning
 
 translate = FreeCAD.Qt.translate
 
@@ -28,7 +30,8 @@ STEPS = 1000
 
 
 def install() -> None:
-    """Give every spiral pocket this dialog."""
+    """Give every spiral pocket this dialog, and have it planned beside the window."""
+    ObjectSpiralPocket.planner = staticmethod(planning.plan_all)
     ObjectSpiralPocket.progress_factory = staticmethod(progress_dialog)
 
 

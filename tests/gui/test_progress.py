@@ -1,56 +1,57 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Long work shows a dialog whose Stop leaves an empty path, never a stale one."""
 
-import time
-
 import pytest
 from PySide import QtCore, QtGui
 from window import APPLY, CANCEL, answered, dialog, press, press_toolbar_button, select, widget
 
-from freecad_spiralpocket.engine.errors import CancelledError
+from freecad_spiralpocket.gui import lane, planning, workers
 from freecad_spiralpocket.gui.progress import progress_dialog
-from freecad_spiralpocket.op import pockets
 
 NAME = "SpiralPocketProgress"
-
-
-def slow_plan(request, progress):
-    """Stand in for the planner: work for 10 s unless stopped."""
-    for step in range(500):
-        if progress(step / 500, "Cutting"):
-            raise CancelledError("Stopped.")
-        time.sleep(0.02)
-    pytest.fail("nobody stopped it")
+#: So small a step-over that the plate's pocket takes seconds, in percent.
+LONG = 2
 
 
 class Stop:
-    """Presses Stop once the dialog shows, and keeps what it said."""
+    """Presses Stop once the dialog shows a stage, and keeps what it said."""
 
-    def __init__(self):
+    def __init__(self, stage):
+        self.stage = stage
         self.label = ""
         self.is_modal = False
         self.timer = QtCore.QTimer()
         self.timer.timeout.connect(self.look)
-        self.timer.start(50)
+        self.timer.start(20)
 
     def look(self):
         shown = dialog(NAME)
-        if shown is not None and "Cutting" in shown.labelText():
+        if shown is not None and self.stage in shown.labelText():
             self.timer.stop()
             self.label = shown.labelText()
             self.is_modal = shown.windowModality() == QtCore.Qt.ApplicationModal
             shown.findChild(QtGui.QPushButton).click()
 
 
-def test_stop_leaves_an_empty_path_and_the_panel_open(job, floor, monkeypatch):
+@pytest.fixture(params=["process", "thread"])
+def worker(request, monkeypatch):
+    """Plan in a process, and where there is none."""
+    if request.param == "thread":
+        monkeypatch.setattr(workers.Interpreters, "left", [])
+    monkeypatch.setattr(planning, "proofs", lane.Lane(1))
+    yield request.param
+    planning.proofs.close()
+
+
+@pytest.mark.parametrize("stage", ["Laying", "Planning feeds"])
+def test_stop_leaves_an_empty_path_and_the_panel_open(job, floor, worker, stage):
     select(floor)
     press_toolbar_button()
     press(APPLY)
     (operation,) = job.Operations.Group
     assert len(operation.Path.Commands) > 100
-    monkeypatch.setattr(pockets, "plan_pocket", slow_plan)
-    widget("stepOverPercent").setValue(15)
-    stop = Stop()
+    widget("stepOverPercent").setValue(LONG)
+    stop = Stop(stage)
     with answered() as answer:
         press(APPLY)
     assert stop.is_modal and operation.Label in stop.label
@@ -58,7 +59,42 @@ def test_stop_leaves_an_empty_path_and_the_panel_open(job, floor, monkeypatch):
     assert [c.Name[0] for c in operation.Path.Commands] == ["("]
     assert operation.PathLength.Value == 0
     assert dialog(NAME) is None
-    assert "Time" not in widget("result").text()
+    widget("stepOverPercent").setValue(45)
+    press(APPLY)
+    assert len(operation.Path.Commands) > 100
+    press(CANCEL)
+
+
+def test_path_is_the_same_wherever_it_is_planned(job, floor, monkeypatch):
+    paths = []
+    for planner in ("window", "process", "thread"):
+        if planner == "window":
+            monkeypatch.setattr(
+                "freecad_spiralpocket.op.operation.ObjectSpiralPocket.planner", None
+            )
+        else:
+            monkeypatch.undo()
+            monkeypatch.setattr(planning, "proofs", lane.Lane(1))
+            monkeypatch.setattr(planning, "_proved", {})
+            if planner == "thread":
+                monkeypatch.setattr(workers.Interpreters, "left", [])
+        select(floor)
+        press_toolbar_button()
+        press(APPLY)
+        (operation,) = job.Operations.Group
+        paths.append(operation.Path.toGCode().partition("\n")[2])  # without its name
+        press(CANCEL)
+        planning.proofs.close()
+    assert len(paths[0]) > 1000
+    assert paths[0] == paths[1] == paths[2]
+
+
+def test_the_window_has_a_process_to_plan_in(job, floor):
+    planning.proofs.warm_up()
+    select(floor)
+    press_toolbar_button()
+    press(APPLY)
+    assert workers.Interpreters.best() is not None
     press(CANCEL)
 
 

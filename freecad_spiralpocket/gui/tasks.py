@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is done beside the window: each task takes one record and returns one.
+
+Runs in a process that has neither FreeCAD nor Qt (`workerprocess`), or in a thread
+where no such process can be started. Everything that goes in or out is pickled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from ..engine.draft import Draft, Opening, draft, openings
+from ..engine.model import Plan, PocketRequest, Progress
+from ..engine.planner import plan
+from ..trace import Areas, Trace, areas_of, trace_of
+
+#: Openings of so many pockets are kept.
+KEPT = 64
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A plan and what is drawn of it."""
+
+    plan: Plan
+    trace: Trace
+    areas: Areas
+
+
+class Tasks:
+    """All tasks, by name, and what they keep from one call to the next."""
+
+    def __init__(self) -> None:
+        self._openings: dict[Any, list[Opening]] = {}
+
+    def __getitem__(self, name: str) -> Callable[[Any, Progress], Any]:
+        """Return the task of that name."""
+        return getattr(self, name)
+
+    def draft(self, request: PocketRequest, _: Progress) -> Draft:
+        """Return rough laps; how the pocket is opened is known from the last time."""
+        key = (
+            request.pocket,
+            request.tool_diameter,
+            request.cutting.stock_to_leave,
+            request.cutting.cut_mode,
+            request.entry,
+            request.start_point,
+        )
+        if key not in self._openings:
+            if len(self._openings) >= KEPT:
+                self._openings.clear()
+            self._openings[key] = openings(request)
+        return draft(request, self._openings[key])
+
+    def plan(self, request: PocketRequest, progress: Progress) -> Drawn:
+        """Return the proved plan, drawn."""
+        made = plan(request, progress)
+        return Drawn(made, trace_of(made), areas_of(made))
+
+
+def versions() -> tuple[str, ...]:
+    """Return what must be the same here and in FreeCAD for the same path to come out."""
+    import sys
+
+    import numpy
+    import scipy
+    import shapely
+
+    python = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    return python, numpy.__version__, scipy.__version__, shapely.__version__

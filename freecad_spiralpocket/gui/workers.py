@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work beside the window, one job at a time: in a process, else in a thread.
+
+A process can be ended at any moment, in the middle of a proof too, and leaves all of
+FreeCAD's own Python to the window; so Stop and a newer value work at once. It runs the
+Python interpreter that FreeCAD carries, with FreeCAD's own search path, and is used only
+if it has the same libraries in the same versions: the path must not depend on where it
+was planned. Where there is no such interpreter a thread does the same, stopped at the
+next question for progress.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import queue
+import shutil
+import struct
+import sys
+import threading
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+from PySide import QtCore
+
+from .tasks import Tasks, versions
+
+#: What a worker tells: "progress", "done", "error", "crash" as in `workerprocess`; ("gone", text)
+#: when its process ended by itself, ("unusable",) when it cannot work at all.
+Message = tuple[Any, ...]
+Listener = Callable[[Message], None]
+
+SCRIPT = Path(__file__).with_name("workerprocess.py")
+POLL_EVERY = 20  # ms, how often a thread's messages are looked for
+
+
+class ProcessWorker:
+    """A process that does one job after the other; `listener` is called in the window's thread."""
+
+    def __init__(self, python: str, listener: Listener) -> None:
+        self.python = python
+        self._listener = listener
+        self._is_ready = False
+        self._received = bytearray()
+        self._process = QtCore.QProcess()
+        self._process.readyReadStandardOutput.connect(self._read)
+        self._process.finished.connect(self._end)
+        self._process.errorOccurred.connect(self._fail)
+        self._process.start(python, ["-u", str(SCRIPT)])
+        self._send([p for p in sys.path if isinstance(p, str)])
+
+    def start(self, task: str, argument: Any) -> None:
+        """Begin a job; there must be none."""
+        self._send((task, argument))
+
+    def wait(self, milliseconds: int) -> None:
+        """Wait for a message without letting the window do anything else."""
+        self._process.waitForReadyRead(milliseconds)
+
+    def stop(self) -> None:
+        """End the process and whatever it does."""
+        process, self._listener = self._process, lambda message: None
+        process.kill()
+        process.waitForFinished(100)
+
+    def _send(self, record: Any) -> None:
+        self._process.write(pickle.dumps(record, pickle.HIGHEST_PROTOCOL))
+
+    def _read(self) -> None:
+        self._received += self._process.readAllStandardOutput().data()
+        while len(self._received) >= 8:
+            (length,) = struct.unpack_from("<Q", self._received)
+            if len(self._received) < 8 + length:
+                return
+            message = pickle.loads(bytes(self._received[8 : 8 + length]))
+            del self._received[: 8 + length]
+            if message[0] == "ready":
+                self._is_ready = message[1] == versions()
+                if not self._is_ready:
+                    self._listener(("unusable",))
+            else:
+                self._listener(message)
+
+    def _end(self, *_: Any) -> None:
+        errors = self._process.readAllStandardError().data().decode(errors="replace")
+        self._listener(("gone", errors) if self._is_ready else ("unusable",))
+
+    def _fail(self, error: Any) -> None:
+        if error == QtCore.QProcess.FailedToStart:
+            self._listener(("unusable",))
+
+
+class ThreadWorker:
+    """A thread for each job, with the same face as `ProcessWorker`."""
+
+    def __init__(self, listener: Listener) -> None:
+        self._listener = listener
+        self._tasks = Tasks()
+        self._stopped = threading.Event()
+        self._messages: queue.Queue[Message] = queue.Queue()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._deliver)
+
+    def start(self, task: str, argument: Any) -> None:
+        """Begin a job; there must be none."""
+        threading.Thread(target=self._work, args=(task, argument), daemon=True).start()
+        self._timer.start(POLL_EVERY)
+
+    def wait(self, milliseconds: int) -> None:
+        """Wait for a message without letting the window do anything else."""
+        try:
+            self._messages.put(self._messages.get(timeout=milliseconds / 1000))
+        except queue.Empty:
+            return
+        self._deliver()
+
+    def stop(self) -> None:
+        """Forget the job; its thread ends at its next question for progress."""
+        self._stopped.set()
+        self._timer.stop()
+        self._listener = lambda message: None
+
+    def _work(self, task: str, argument: Any) -> None:
+        from ..engine.errors import SpiralPocketError
+
+        def progress(fraction: float, stage: str) -> bool:
+            self._messages.put(("progress", fraction, stage))
+            return self._stopped.is_set()
+
+        try:
+            self._messages.put(("done", self._tasks[task](argument, progress)))
+        except SpiralPocketError as error:
+            self._messages.put(("error", error))
+        except Exception:
+            self._messages.put(("crash", traceback.format_exc()))
+
+    def _deliver(self) -> None:
+        while not self._messages.empty():
+            message = self._messages.get()
+            if message[0] != "progress":
+                self._timer.stop()
+            self._listener(message)
+
+
+class Interpreters:
+    """Which interpreters are left to try; the first is the one in use."""
+
+    left: list[str] | None = None
+
+    @classmethod
+    def best(cls) -> str | None:
+        """Return the one to use, None for none."""
+        if cls.left is None:
+            cls.left = _interpreters()
+        return cls.left[0] if cls.left else None
+
+    @classmethod
+    def refuse(cls, python: str) -> None:
+        """Leave one out from now on."""
+        cls.left = [p for p in cls.left or () if p != python]
+
+
+def make_worker(listener: Listener) -> ProcessWorker | ThreadWorker:
+    """Return a worker: a process if there is an interpreter for it, else a thread."""
+    python = Interpreters.best()
+    return ThreadWorker(listener) if python is None else ProcessWorker(python, listener)
+
+
+def _interpreters() -> list[str]:
+    """Return the Python interpreters that may belong to this FreeCAD, the likeliest first."""
+    names = [f"python{sys.version_info[0]}.{sys.version_info[1]}", "python3", "python"]
+    folders = [
+        Path(FreeCAD.getHomePath(), "bin"),
+        Path(sys.exec_prefix, "bin"),
+        Path(sys.exec_prefix),
+        Path(QtCore.QCoreApplication.applicationDirPath()),
+    ]
+    suffix = ".exe" if os.name == "nt" else ""
+    found = [folder / (name + suffix) for folder in folders for name in names]
+    paths = [str(path) for path in found if os.access(path, os.X_OK) and path.is_file()]
+    paths += filter(None, map(shutil.which, names))
+    return list(dict.fromkeys(paths))
