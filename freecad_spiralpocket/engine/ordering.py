@@ -72,10 +72,13 @@ class Step:
     link : ndarray of shape (k, 2) or None
         None: lift, and go down again at the run's start.
     points : ndarray of shape (n, 2)
+    run : int
+        Its index.
     """
 
     link: Floats | None
     points: Floats
+    run: int
 
 
 def leanings(strokes: Sequence[Stroke], stepover: float) -> list[set[int]]:
@@ -227,7 +230,7 @@ def order(
         )
         chosen, way = ways[taken]
         points = way()
-        steps.append(Step(link, points))
+        steps.append(Step(link, points, chosen))
         open_runs.remove(chosen)
         for needs in waiting:
             needs.discard(chosen)

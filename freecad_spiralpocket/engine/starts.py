@@ -187,13 +187,13 @@ def leaves_no_post(visited: Polygon, request: PocketRequest) -> bool:
 
 def _slot_start(name: str, visited: Polygon, omega: Polygon, request: PocketRequest) -> Start:
     ring = LineString(shapely.get_coordinates(shapely.simplify(visited.exterior, 0.002)))
-    leave = _straightest(ring, BLEND * request.cutter_radius)
+    leave = straightest(ring, BLEND * request.cutter_radius)
     points = between(ring, leave, ring.length)[:-1]
     closed = LineString(np.vstack([points, points[:1]]))
     return Start(name, visited, omega, Slot(points, slot_bite(request)), closed)
 
 
-def _straightest(ring: LineString, window: float) -> float:
+def straightest(ring: LineString, window: float) -> float:
     """Return where along a ring the next `window` [mm] bends least."""
     coords = shapely.get_coordinates(ring)
     heading = np.unwrap(np.arctan2(*np.diff(coords, axis=0).T[::-1]))
