@@ -8,20 +8,32 @@ that the user changed it. Tooltips are the properties' own documentation.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from typing import Any, Protocol
 
 import FreeCAD
 from PySide import QtCore
 
+from .choices import choice_text
 from .compat import PathGuiUtil, check_box_signal, show_value
 
 translate = FreeCAD.Qt.translate
 
+#: Seconds of a minute: the property holds mm/min, FreeCAD's boxes mm/s.
+MINUTE = 60.0
+
 
 class Field(Protocol):
-    """What the panel asks of a field."""
+    """What the panel asks of a field.
 
-    name: str
+    Attributes
+    ----------
+    names : tuple of str
+        The properties that it shows.
+    """
+
+    names: tuple[str, ...]
 
     def show(self) -> None:
         """Show the property's value in the widget, without any signal."""
@@ -33,22 +45,46 @@ class Field(Protocol):
         """Return the signals that tell of a change by the user."""
 
 
+@contextmanager
+def silent(*widgets: Any) -> Iterator[None]:
+    """Keep back the signals of widgets whose values are not the user's doing."""
+    with ExitStack() as stack:
+        for widget in widgets:
+            blocker = QtCore.QSignalBlocker(widget)
+            stack.callback(blocker.unblock)
+        yield
+
+
+def set_property(obj: Any, name: str, value: Any) -> None:
+    """Set a property, only where it differs: every assignment marks the operation changed."""
+    old = getattr(obj, name)
+    if getattr(old, "Value", old) != value:
+        setattr(obj, name, value)
+
+
+def set_inch_decimals(widget: Any, decimals: int) -> None:
+    """Let a box that holds a length have so many decimals where the user's unit is the inch."""
+    if FreeCAD.Units.Quantity(10.0, FreeCAD.Units.Length).getUserPreferred()[1] > 20:
+        widget.setProperty("decimals", decimals)
+
+
+def expression(obj: Any, name: str) -> str | None:
+    """Return the expression that rules a property, or None."""
+    return next((text for path, text in obj.ExpressionEngine if path == name), None)
+
+
 class _Bound:
     """A widget, an operation and the name of a property of it."""
 
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         self.widget, self.obj, self.name = widget, obj, name
+        self.names = (name,)
         widget.setToolTip(translate("App::Property", obj.getDocumentationOfProperty(name)))
 
     def show(self) -> None:
         """Show the property's value, without any signal."""
-        blocker = QtCore.QSignalBlocker(self.widget)
-        self._show()
-        blocker.unblock()
-
-    def _set(self, value: Any) -> None:
-        if getattr(self.obj, self.name) != value:
-            setattr(self.obj, self.name, value)
+        with silent(self.widget):
+            self._show()
 
 
 class Choice(_Bound):
@@ -57,15 +93,14 @@ class Choice(_Bound):
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         super().__init__(widget, obj, name)
         for value in obj.getEnumerationsOfProperty(name):
-            text = value.replace("_", " ")
-            widget.addItem(translate("SpiralPocket", text[:1].upper() + text[1:]), value)
+            widget.addItem(choice_text(name, value), value)
 
     def _show(self) -> None:
         self.widget.setCurrentIndex(self.widget.findData(getattr(self.obj, self.name)))
 
     def write(self) -> None:
         """Write the selected value."""
-        self._set(self.widget.currentData())
+        set_property(self.obj, self.name, self.widget.currentData())
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
@@ -80,7 +115,7 @@ class Number(_Bound):
 
     def write(self) -> None:
         """Write the number."""
-        self._set(self.widget.value())
+        set_property(self.obj, self.name, self.widget.value())
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
@@ -95,7 +130,7 @@ class Check(_Bound):
 
     def write(self) -> None:
         """Write the state."""
-        self._set(self.widget.isChecked())
+        set_property(self.obj, self.name, self.widget.isChecked())
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
@@ -119,3 +154,43 @@ class Quantity(_Bound):
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
         return [self.widget.valueChanged, self.widget.editingFinished]
+
+
+class FineLength(Quantity):
+    """A length of some hundredths of a millimeter."""
+
+    def __init__(self, widget: Any, obj: Any, name: str) -> None:
+        super().__init__(widget, obj, name)
+        set_inch_decimals(widget, 5)
+
+
+class LinkFeed(_Bound):
+    """The feed of links in FreeCAD's unit for speeds; the property is a plain number in mm/min.
+
+    A property of FreeCAD's type for speeds breaks the editor of every job.
+    """
+
+    def __init__(self, widget: Any, obj: Any, name: str) -> None:
+        super().__init__(widget, obj, name)
+        widget.setToolTip(
+            translate(
+                "SpiralPocket",
+                "Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate",
+            )
+        )
+        widget.setProperty("unit", FreeCAD.Units.Quantity("1 m/s").getUserPreferred()[2])
+        self._shown = ""
+
+    def _show(self) -> None:
+        self.widget.setProperty("rawValue", getattr(self.obj, self.name) / MINUTE)
+        self._shown = self.widget.text()
+
+    def write(self) -> None:
+        """Write the feed, if another one was typed: the box rounds."""
+        if self.widget.text() != self._shown:
+            self._shown = self.widget.text()
+            set_property(self.obj, self.name, self.widget.property("rawValue") * MINUTE)
+
+    def signals(self) -> list[Any]:
+        """Return the signals that tell of a change by the user."""
+        return [self.widget.valueChanged]

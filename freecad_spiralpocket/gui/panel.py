@@ -12,20 +12,22 @@ from typing import Any
 
 import FreeCADGui
 
-from ..engine.model import FeedMode
-from ..op.properties import INHERITED
+from ..engine.model import FeedMode, Strategy
+from ..op.properties import INHERITED, TABLE, option_names
+from .choices import strategy_note
 from .compat import PathOpGui, has_tool_controller_editor
 from .extras import FACTORIES, Extra
-from .fields import Check, Choice, Field, Number, Quantity
+from .fields import Check, Choice, Field, FineLength, LinkFeed, Number, Quantity
 from .resulttext import result_text
+from .startpoint import StartPointField
 from .startup import RESOURCES
+from .stepover import StepOverField
 
 FORM = RESOURCES / "panels" / "SpiralPocket.ui"
 
 #: Widget, property and kind of field, in the order of the page.
 FIELDS = (
     ("strategy", "Strategy", Choice),
-    ("stepOverPercent", "StepOver", Number),
     ("cutMode", "CutMode", Choice),
     ("stockToLeave", "StockToLeave", Quantity),
     ("zStockToLeave", "ZStockToLeave", Quantity),
@@ -33,17 +35,19 @@ FIELDS = (
     ("helixDiameterLimit", "HelixDiameterLimit", Quantity),
     ("machine", "Machine", Choice),
     ("feedMode", "FeedMode", Choice),
-    ("tolerance", "Tolerance", Quantity),
-    ("finishingProfile", "FinishingProfile", Check),
-    ("useOutline", "UseOutline", Check),
     ("slowdownPercent", "SlowdownPercent", Number),
     ("maxFeedRatio", "MaxFeedRatio", Number),
-    ("linkFeed", "LinkFeed", Number),
+    ("finishingProfile", "FinishingProfile", Check),
+    ("useOutline", "UseOutline", Check),
+    ("tolerance", "Tolerance", FineLength),
+    ("linkFeed", "LinkFeed", LinkFeed),
     ("slotBite", "SlotBite", Quantity),
 )
+#: What is folded away; the panel unfolds it where one of these is not the default.
+ADVANCED = ("Tolerance", "LinkFeed", "SlotBite", "UseStartPoint")
 
 #: Every property on which the path depends, of ours and of FreeCAD's own pages.
-INPUTS = {name for _, name, _ in FIELDS} | {*INHERITED, "Base", "ToolController"}
+INPUTS = {*option_names(), *INHERITED, "Base", "ToolController", "OpToolDiameter"}
 
 
 class OperationPage(PathOpGui.TaskPanelPage):
@@ -65,7 +69,13 @@ class OperationPage(PathOpGui.TaskPanelPage):
 
     def initPage(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Tie the widgets to the properties."""
-        self.fields = [kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS]
+        self.start_point = StartPointField(self.form, obj)
+        self.fields = [
+            StepOverField(self.form, obj),
+            *(kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS),
+            self.start_point,
+        ]
+        self.form.advanced.setChecked(is_advanced(obj))
         self.extras = [make(self) for make in FACTORIES]
         for extra in self.extras:
             widget = extra.widget()
@@ -106,10 +116,19 @@ class OperationPage(PathOpGui.TaskPanelPage):
         self.show_outcome()
 
     def enable_fields(self) -> None:
-        """Grey the fields that the feed mode does not use."""
-        mode = self.obj.FeedMode
-        self.form.slowdownPercent.setEnabled(mode == FeedMode.LINEAR_SLOWDOWN.value)
-        self.form.maxFeedRatio.setEnabled(mode == FeedMode.CHIP_THICKNESS.value)
+        """Show what the strategy is for, and only the fields that it and the feed mode use."""
+        form, strategy, mode = self.form, self.obj.Strategy, self.obj.FeedMode
+        form.strategyNote.setText(strategy_note(strategy))
+        form.strategyNote.setVisible(bool(form.strategyNote.text()))
+        form.finishingProfile.setEnabled(strategy != Strategy.AUTOMATIC.value)
+        for box, label, its_mode in (
+            (form.slowdownPercent, form.slowdownPercentLabel, FeedMode.LINEAR_SLOWDOWN),
+            (form.maxFeedRatio, form.maxFeedRatioLabel, FeedMode.CHIP_THICKNESS),
+        ):
+            is_used = mode == its_mode.value
+            box.setEnabled(is_used)
+            box.setVisible(is_used)
+            label.setVisible(is_used)
 
     def updateData(self, obj: Any, prop: str) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show a property that was changed elsewhere, not while it is being typed here."""
@@ -117,10 +136,14 @@ class OperationPage(PathOpGui.TaskPanelPage):
             self.was_changed |= prop in INPUTS
             return
         for field in self.fields:
-            if field.name == prop:
+            if prop in field.names or prop == "ExpressionEngine":
                 field.show()
         if prop in INPUTS:
             self.tell_changed()
+
+    def updateSelection(self, obj: Any, sel: Any) -> None:  # noqa: N802
+        """Let the start point be taken from what was clicked."""
+        self.start_point.enable_button(sel)
 
     def tell_changed(self) -> None:
         """Tell the extras that the path is out of date."""
@@ -142,3 +165,10 @@ class OperationPage(PathOpGui.TaskPanelPage):
         extras, self.extras = self.extras, ()
         for extra in extras:
             extra.close()
+
+
+def is_advanced(obj: Any) -> bool:
+    """Return whether an option that is folded away is not as it is by default."""
+    defaults = {p.name: p.default for p in TABLE}
+    values = {name: getattr(obj, name) for name in ADVANCED}
+    return any(getattr(v, "Value", v) != defaults[name] for name, v in values.items())

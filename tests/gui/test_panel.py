@@ -1,32 +1,40 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Each field of the page shows its property and writes it."""
 
+import math
+
+import FreeCADGui
 import pytest
 from conftest import DEPTH, add_job, floors, new_document, plate
 from window import APPLY, CANCEL, panel, press, press_toolbar_button, pump, select, widget
 
-from freecad_spiralpocket.gui.fields import Check, Choice, Number, Quantity
+from freecad_spiralpocket.engine.model import Strategy
+from freecad_spiralpocket.gui.choices import STRATEGY_NOTES
+from freecad_spiralpocket.gui.fields import Check, Choice, Number
 from freecad_spiralpocket.gui.panel import FIELDS
 from freecad_spiralpocket.op.properties import option_names
 
-#: What the user enters, and what the property is then; for fields with one value more than now.
+#: What the user enters into each simple field, and what the property is then if not the same.
 ENTRIES = {
-    "StepOver": (33, 33),
-    "CutMode": ("Conventional", "Conventional"),
-    "StockToLeave": (0.25, 0.25),
-    "ZStockToLeave": (0.5, 0.5),
-    "Machine": ("vmc", "vmc"),
-    "FeedMode": ("Chip thickness", "Chip thickness"),
-    "SlowdownPercent": (60, 60),
-    "MaxFeedRatio": (1.5, 1.5),
-    "LinkFeed": (4000.0, 4000.0),
-    "SlotBite": (0.5, 0.5),
-    "HelixAngle": (3.0, 3.0),
-    "HelixDiameterLimit": (7.0, 7.0),
-    "Tolerance": (0.02, 0.02),
-    "FinishingProfile": (False, False),
-    "UseOutline": (True, True),
+    "Strategy": "Linear Morph",
+    "CutMode": "Conventional",
+    "StockToLeave": 0.25,
+    "ZStockToLeave": 0.5,
+    "HelixAngle": 3.0,
+    "HelixDiameterLimit": 7.0,
+    "Machine": "vmc",
+    "FeedMode": "Chip thickness",
+    "SlowdownPercent": 60,
+    "MaxFeedRatio": 1.5,
+    "FinishingProfile": False,
+    "UseOutline": True,
+    "Tolerance": 0.02,
+    "LinkFeed": 50.0,
+    "SlotBite": 0.5,
 }
+#: The boxes round to hundredths of a millimeter; as a share of the cutter's diameter.
+ROUNDED = 0.005 / 6.0 * 1.01
+LINK_FEED = 3000.0  # mm/min: 50 mm/s
 
 
 @pytest.fixture(scope="module")
@@ -56,13 +64,11 @@ def enter(box, kind, value):
 
 def shown(box, kind):
     """Return the value that the widget shows."""
-    read = {
-        Choice: lambda: box.currentData(),
-        Check: lambda: box.isChecked(),
-        Number: lambda: box.value(),
-        Quantity: lambda: box.property("rawValue"),
-    }
-    return read[kind]()
+    if kind is Choice:
+        return box.currentData()
+    if kind is Check:
+        return box.isChecked()
+    return box.value() if kind is Number else box.property("rawValue")
 
 
 def value_of(obj, name):
@@ -70,18 +76,115 @@ def value_of(obj, name):
     return getattr(value, "Value", value)
 
 
-def test_every_option_has_a_field():
-    assert sorted(name for _, name, _ in FIELDS) == sorted(option_names())
+def test_every_option_has_a_field(operation):
+    names = [name for field in panel().operation_page.fields for name in field.names]
+    assert set(option_names()) == set(names) & set(option_names())
+    assert len(names) == len(set(names))
 
 
 @pytest.mark.parametrize(("box", "name", "kind"), FIELDS, ids=[name for _, name, _ in FIELDS])
 def test_field_shows_and_writes_its_property(operation, box, name, kind):
-    box, before = widget(box), value_of(operation, name)
-    assert shown(box, kind) == pytest.approx(before)
+    box, before, entry = widget(box), value_of(operation, name), ENTRIES[name]
+    first = shown(box, kind)
     assert box.toolTip()
-    for entry, expected in (ENTRIES.get(name, (before, before)), (before, before)):
-        enter(box, kind, entry)
-        assert value_of(operation, name) == pytest.approx(expected)
+    enter(box, kind, entry)
+    expected = LINK_FEED if name == "LinkFeed" else entry
+    assert value_of(operation, name) == pytest.approx(expected) != before
+    enter(box, kind, first)
+    assert value_of(operation, name) == pytest.approx(before)
+
+
+#: What is typed into which box of the step-over, and StepOver and MaxEngagement after it.
+STEP_OVERS = [
+    ("stepOverPercent", "value", 25.0, 25, 0.0),
+    ("stepOverPercent", "value", 33.3, 33, 70.49),
+    ("stepOver", "rawValue", 3.0, 50, 0.0),
+    ("stepOver", "rawValue", 1.0, 17, 48.19),
+    ("maxEngagement", "rawValue", 60.0, 25, 0.0),
+    ("maxEngagement", "rawValue", 80.0, 41, 80.0),
+]
+
+
+@pytest.mark.parametrize(("box", "way", "value", "percent", "angle"), STEP_OVERS)
+def test_step_over_is_typed_in_any_of_three_boxes(operation, box, way, value, percent, angle):
+    before = operation.StepOver
+    widget(box).setProperty(way, value)
+    pump()
+    assert operation.StepOver == percent
+    assert operation.MaxEngagement.Value == pytest.approx(angle, abs=0.005)
+    share = widget("stepOver").property("rawValue") / operation.OpToolDiameter.Value
+    assert widget("stepOverPercent").value() == pytest.approx(100 * share, abs=0.051)
+    cosine = math.cos(math.radians(widget("maxEngagement").property("rawValue")))
+    assert (1 - cosine) / 2 == pytest.approx(share, abs=ROUNDED)
+    widget("stepOverPercent").setValue(before)
+    pump()
+    assert (operation.StepOver, operation.MaxEngagement.Value) == (before, 0)
+
+
+def test_a_step_over_of_nothing_is_not_taken(operation):
+    widget("stepOver").setProperty("rawValue", 0.0)
+    pump()
+    assert operation.StepOver == 40 and operation.MaxEngagement == 0
+    widget("stepOver").editingFinished.emit()
+    assert widget("stepOver").property("rawValue") == pytest.approx(2.4)
+
+
+def test_step_over_follows_the_cutter(operation):
+    tool = operation.ToolController.Tool
+    widget("maxEngagement").setProperty("rawValue", 75.0)
+    pump()
+    before, tool.Diameter = tool.Diameter, 10.0
+    operation.OpToolDiameter = 10.0
+    assert widget("maxEngagement").property("rawValue") == pytest.approx(75.0)
+    assert widget("stepOver").property("rawValue") == pytest.approx(3.71, abs=1e-3)
+    tool.Diameter = before
+    operation.OpToolDiameter = before
+    widget("stepOverPercent").setValue(40)
+
+
+def test_expression_rules_the_step_over(operation):
+    operation.setExpression("MaxEngagement", "30 deg * 2")
+    pump()
+    assert widget("stepOverPercent").value() == 25
+    assert not widget("stepOverPercent").isEnabled()
+    assert widget("maxEngagement").isReadOnly()
+    operation.setExpression("MaxEngagement", None)
+    pump()
+    assert widget("stepOverPercent").isEnabled()
+    operation.MaxEngagement = 0
+
+
+def test_start_point_is_written(operation):
+    widget("useStartPoint").setChecked(True)
+    widget("startPointX").setProperty("rawValue", 12.5)
+    widget("startPointY").setProperty("rawValue", 8.0)
+    pump()
+    assert operation.UseStartPoint and tuple(operation.StartPoint) == (12.5, 8.0, 0)
+    widget("useStartPoint").setChecked(False)
+    pump()
+    assert not operation.UseStartPoint and not widget("startPointX").isEnabled()
+
+
+def test_start_point_is_taken_from_a_click(operation):
+    FreeCADGui.Selection.clearSelection()
+    pump()
+    assert not widget("pickStartPoint").isEnabled()
+    model, (face,) = operation.Base[0]
+    FreeCADGui.Selection.addSelection(model, face, 20.0, 15.0, -DEPTH)
+    pump()
+    widget("pickStartPoint").click()
+    pump()
+    assert operation.UseStartPoint and tuple(operation.StartPoint)[:2] == (20.0, 15.0)
+    operation.UseStartPoint = False
+    FreeCADGui.Selection.clearSelection()
+
+
+def test_every_strategy_says_what_it_is_for(operation):
+    for strategy in Strategy:
+        enter(widget("strategy"), Choice, strategy.value)
+        assert widget("strategyNote").text() == STRATEGY_NOTES[strategy.value]
+        assert widget("finishingProfile").isEnabled() == (strategy is not Strategy.AUTOMATIC)
+    enter(widget("strategy"), Choice, Strategy.AUTOMATIC.value)
 
 
 def test_fields_of_the_other_feed_modes_are_grey(operation):
@@ -92,9 +195,13 @@ def test_fields_of_the_other_feed_modes_are_grey(operation):
         enter(widget("feedMode"), Choice, mode)
         names = ("maxFeedRatio", "slowdownPercent")
         assert [n for n in names if widget(n).isEnabled()] == [enabled]
+        assert [n for n in names if widget(n).isVisible()] == [enabled]
+    enter(widget("feedMode"), Choice, "Constant")
 
 
 def test_advanced_fields_unfold(operation):
+    widget("advanced").setChecked(False)
+    pump()
     assert not widget("slotBite").isVisible()
     widget("advanced").setChecked(True)
     pump()

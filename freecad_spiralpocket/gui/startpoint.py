@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The start point in the panel: a check box, two coordinates, and a click on the part."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+from .compat import check_box_signal
+from .fields import set_property, silent
+
+translate = FreeCAD.Qt.translate
+
+
+class StartPointField:
+    """The widgets `useStartPoint`, `startPointX`, `startPointY` and `pickStartPoint`."""
+
+    names = ("UseStartPoint", "StartPoint")
+
+    def __init__(self, form: Any, obj: Any) -> None:
+        self.obj, self.check, self.button = obj, form.useStartPoint, form.pickStartPoint
+        self.boxes = {"x": form.startPointX, "y": form.startPointY}
+        self._shown = dict.fromkeys(self.boxes, "")
+        tip = translate("App::Property", obj.getDocumentationOfProperty("StartPoint"))
+        for widget in (self.check, *self.boxes.values()):
+            widget.setToolTip(tip)
+        for box in self.boxes.values():
+            box.setProperty("unit", obj.OpToolDiameter.getUserPreferred()[2])
+        self.button.clicked.connect(self.take_picked)
+        self.enable_button(FreeCADGui.Selection.getSelectionEx())
+
+    def show(self) -> None:
+        """Show the point, without any signal."""
+        with silent(self.check, *self.boxes.values()):
+            self.check.setChecked(self.obj.UseStartPoint)
+            for axis, box in self.boxes.items():
+                box.setProperty("rawValue", getattr(self.obj.StartPoint, axis))
+                self._shown[axis] = box.text()
+        self._enable()
+
+    def write(self) -> None:
+        """Write the point, as far as something else was typed: the boxes round."""
+        set_property(self.obj, "UseStartPoint", self.check.isChecked())
+        point = FreeCAD.Vector(self.obj.StartPoint)
+        for axis, box in self.boxes.items():
+            if box.text() != self._shown[axis]:
+                self._shown[axis] = box.text()
+                setattr(point, axis, box.property("rawValue"))
+        set_property(self.obj, "StartPoint", point)
+        self._enable()
+
+    def signals(self) -> list[Any]:
+        """Return the signals that tell of a change by the user."""
+        return [check_box_signal(self.check), *(box.valueChanged for box in self.boxes.values())]
+
+    def enable_button(self, selection: Sequence[Any]) -> None:
+        """Let the button be pressed where a place was clicked."""
+        self.button.setEnabled(_picked(selection) is not None)
+
+    def take_picked(self) -> None:
+        """Take the place that was clicked on the part."""
+        place = _picked(FreeCADGui.Selection.getSelectionEx())
+        if place is not None:
+            self.check.setChecked(True)
+            for axis, box in self.boxes.items():
+                box.setProperty("rawValue", getattr(place, axis))
+
+    def _enable(self) -> None:
+        for box in self.boxes.values():
+            box.setEnabled(self.obj.UseStartPoint)
+
+
+def _picked(selection: Sequence[Any]) -> Any:
+    """Return the place that was clicked last, or None."""
+    points = [point for part in selection for point in part.PickedPoints]
+    return points[-1] if points else None
