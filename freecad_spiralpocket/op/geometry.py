@@ -14,6 +14,7 @@ clockwise. FreeCAD's own sense of rotation differs between its versions.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -45,10 +46,15 @@ _INSET = 1e-6
 
 
 @dataclass(frozen=True)
-class _Piece:
+class Piece:
     """A stretch of an edge, from one point to the next in the order of the ring.
 
-    `start`, `end`: ndarray of shape (2,); `heading`, `arrival`: unit tangents there.
+    Attributes
+    ----------
+    start, end : ndarray of shape (2,)
+        [mm]
+    heading, arrival : ndarray of shape (2,)
+        Unit tangents there.
     """
 
     start: Floats
@@ -56,8 +62,9 @@ class _Piece:
     heading: Floats
     arrival: Floats
 
-    def reversed(self) -> _Piece:
-        return _Piece(self.end, self.start, -self.arrival, -self.heading)
+    def reversed(self) -> Piece:
+        """Return the same stretch, run the other way."""
+        return Piece(self.end, self.start, -self.arrival, -self.heading)
 
 
 def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
@@ -107,11 +114,16 @@ def is_island(floor: Floor, wire: Any) -> bool:
 
 def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floats:
     """Return the wire as points, shape (n, 2), inside the pocket or on its wall."""
-    pieces = _chain([_pieces(e, sag) for e in wire.OrderedEdges], where)
+    pieces = _chain([pieces_of(e, sag) for e in wire.OrderedEdges], where)
     x, y = np.array([p.start for p in pieces]).T
     area = np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y) / 2
     if (area > 0) != counter_clockwise:
-        pieces = [p.reversed() for p in reversed(pieces)]
+        pieces = turned(pieces)
+    return ring_points(pieces)
+
+
+def ring_points(pieces: Sequence[Piece]) -> Floats:
+    """Return a closed chain of pieces, the pocket on its left, as points, shape (n, 2)."""
     points = []
     for piece in pieces:
         points.append(piece.start)
@@ -119,15 +131,15 @@ def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floa
     return np.round(points, DECIMALS)
 
 
-def _chain(edges: list[list[_Piece]], where: str) -> list[_Piece]:
+def _chain(edges: list[list[Piece]], where: str) -> list[Piece]:
     """Return the pieces of all edges head to tail, turning edges around where needed."""
     if len(edges) > 1 and not _touch(edges[0][-1].end, edges[1]):
-        edges[0] = _turned(edges[0])
+        edges[0] = turned(edges[0])
     chain = list(edges[0])
     for pieces in edges[1:]:
         here = chain[-1].end
         if np.linalg.norm(pieces[0].start - here) > np.linalg.norm(pieces[-1].end - here):
-            pieces = _turned(pieces)
+            pieces = turned(pieces)
         if np.linalg.norm(pieces[0].start - here) > GAP:
             break
         chain += pieces
@@ -141,17 +153,27 @@ def _chain(edges: list[list[_Piece]], where: str) -> list[_Piece]:
     return chain
 
 
-def _touch(point: Floats, pieces: list[_Piece]) -> bool:
+def _touch(point: Floats, pieces: list[Piece]) -> bool:
     ends = np.array([pieces[0].start, pieces[-1].end])
     return bool(np.linalg.norm(ends - point, axis=1).min() <= GAP)
 
 
-def _turned(pieces: list[_Piece]) -> list[_Piece]:
+def turned(pieces: list[Piece]) -> list[Piece]:
+    """Return the same pieces, run the other way."""
     return [p.reversed() for p in reversed(pieces)]
 
 
-def _pieces(edge: Any, sag: float) -> list[_Piece]:
-    """Return `edge` as pieces that are nowhere farther than `sag` from their chord."""
+def pieces_of(edge: Any, sag: float, ripple: float = 0.0) -> list[Piece]:
+    """Return an edge as pieces from end to end.
+
+    Parameters
+    ----------
+    edge : Part.Edge
+    sag : float
+        How far a piece may be from its chord [mm].
+    ripple : float
+        Of a curve that FreeCAD has approximated [mm]; it is no turn of the curve.
+    """
     kind = edge.Curve.TypeId
     t0, t1 = edge.ParameterRange
     if kind == "Part::GeomLine":
@@ -161,29 +183,29 @@ def _pieces(edge: Any, sag: float) -> list[_Piece]:
         ts = np.linspace(t0, t1, max(1, int(np.ceil((t1 - t0) / step))) + 1)
         return [_piece(edge, a, b) for a, b in pairwise(ts)]
     ts = {t0, t1, *np.linspace(t0, t1, 9)}
-    if hasattr(edge.Curve, "getKnots"):
+    if not ripple and hasattr(edge.Curve, "getKnots"):
         ts |= {t for t in edge.Curve.getKnots() if t0 < t < t1}
     ordered = sorted(ts)
-    result: list[_Piece] = []
+    result: list[Piece] = []
     for a, b in pairwise(ordered):
         if b - a > 1e-9 * (t1 - t0):
-            result += _halved(edge, a, b, sag, _DEEPEST)
+            result += _halved(edge, a, b, (sag, max(ripple, _STRAIGHT)), _DEEPEST)
     return result
 
 
-def _halved(edge: Any, a: float, b: float, sag: float, depth: int) -> list[_Piece]:
+def _halved(edge: Any, a: float, b: float, limits: tuple[float, float], depth: int) -> list[Piece]:
     piece = _piece(edge, a, b)
     found = _sag(edge, piece, a, b)
-    limit = _STRAIGHT if _is_s_shaped(edge, a, b) else sag
+    limit = limits[1] if _is_s_shaped(edge, a, b) else limits[0]
     if depth == 0 or (found <= limit and _turn(piece) <= _LARGEST_TURN):
         return [piece]
     middle = (a + b) / 2
-    return _halved(edge, a, middle, sag, depth - 1) + _halved(edge, middle, b, sag, depth - 1)
+    return _halved(edge, a, middle, limits, depth - 1) + _halved(edge, middle, b, limits, depth - 1)
 
 
-def _piece(edge: Any, a: float, b: float) -> _Piece:
+def _piece(edge: Any, a: float, b: float) -> Piece:
     inset = (b - a) * _INSET
-    return _Piece(
+    return Piece(
         start=_xy(edge.valueAt(a)),
         end=_xy(edge.valueAt(b)),
         heading=_xy(edge.tangentAt(a + inset)),
@@ -199,7 +221,7 @@ def _cross(a: Floats, b: Floats) -> float:
     return float(a[0] * b[1] - a[1] * b[0])
 
 
-def _sag(edge: Any, piece: _Piece, a: float, b: float) -> float:
+def _sag(edge: Any, piece: Piece, a: float, b: float) -> float:
     """Return how far the edge is from the piece's chord, at a few points."""
     chord = piece.end - piece.start
     length = np.linalg.norm(chord)
@@ -209,7 +231,7 @@ def _sag(edge: Any, piece: _Piece, a: float, b: float) -> float:
     return max(abs(_cross(chord, o)) for o in offsets) / float(length)
 
 
-def _turn(piece: _Piece) -> float:
+def _turn(piece: Piece) -> float:
     """Return the angle between the tangents at both ends [rad]."""
     return abs(np.arctan2(_cross(piece.heading, piece.arrival), piece.heading @ piece.arrival))
 
@@ -222,7 +244,7 @@ def _is_s_shaped(edge: Any, a: float, b: float) -> bool:
     return min(turns) < 0 < max(turns)
 
 
-def _bulge(piece: _Piece) -> list[Floats]:
+def _bulge(piece: Piece) -> list[Floats]:
     """Return the point that keeps the ring out of a wall that bulges to the left.
 
     That is where the tangents at both ends meet.

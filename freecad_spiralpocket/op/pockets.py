@@ -13,13 +13,16 @@ from typing import Any, TypeAlias
 from ..engine import plan as plan_pocket
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Notice, Plan, PocketRequest, Progress
-from . import commands, geometry, request, selection
+from . import commands, request, sections, selection, walls
 
 #: Share of the operation's tolerance that goes into the chords of curved walls; the rest is
 #: for the path.
 SAG_SHARE = 0.2
 #: Limits of the sag [mm]: a tolerance of 0 is refused later, a wide one must not lose arcs.
 SAG_RANGE = (1e-4, 0.02)
+
+#: A smaller part of the floor under leaning walls is not told [mm2].
+TOLD_OVERHANG = 0.5
 
 #: Plans many pockets: called with their requests and a progress, returns for each a plan or what
 #: is the matter with it; raises `CancelledError` if the progress says so.
@@ -52,15 +55,24 @@ class Pockets:
         self._failures: dict[str, tuple[SpiralPocketError, list[str]]] = {}
         self._selected = selection.selected(obj.Base)
         self._deepest = min(selection.heights(obj.Base), default=0.0)
+        self._overhung: dict[str, float] = {}
         self.plans: list[Plan] = []
 
     def requests(self) -> list[tuple[selection.Floor | None, PocketRequest | SpiralPocketError]]:
         """Return for each selected face its floor and request, or None and what is the matter."""
+        floors = [self._floor(*face) for face in self._selected]
+        sound = [f for f in floors if isinstance(f, selection.Floor)]
+        neighbors: dict[int, walls.Neighbors] = {}
         found: list[tuple[selection.Floor | None, PocketRequest | SpiralPocketError]] = []
-        for model, name in self._selected:
+        for floor in floors:
+            if isinstance(floor, SpiralPocketError):
+                found.append((None, floor))
+                continue
+            key = floor.solid.hashCode()
+            if key not in neighbors:
+                neighbors[key] = walls.neighbors_of(floor.solid)
             try:
-                floor = selection.floor(model, name)
-                found.append((floor, self._request(floor)))
+                found.append((floor, self._request(floor, sound, neighbors[key])))
             except SpiralPocketError as error:
                 found.append((None, error))
         return found
@@ -132,12 +144,28 @@ class Pockets:
             )
         ]
 
-    def _request(self, floor: selection.Floor) -> PocketRequest:
-        """Return the request for the pocket above a floor."""
+    def _floor(self, model: Any, name: str) -> selection.Floor | SpiralPocketError:
+        """Return the floor that a face is, or why it is none."""
+        try:
+            return selection.floor(model, name)
+        except SpiralPocketError as error:
+            return error
+
+    def _request(
+        self,
+        floor: selection.Floor,
+        floors: Sequence[selection.Floor],
+        neighbors: walls.Neighbors,
+    ) -> PocketRequest:
+        """Return the request for the pocket above a floor, one of those selected."""
         sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
-        outline = geometry.polygon(floor, sag, use_outline=self._obj.UseOutline)
+        above = walls.Walls(floor, sag, use_outline=self._obj.UseOutline, neighbors=neighbors)
         depth = request.final_depth(self._obj, floor.z, self._deepest)
-        return request.build(self._obj, outline, depth)
+        wanted = request.build(self._obj, above.outline, depth)
+        others = [other for other in floors if other is not floor]
+        fitted = sections.fitted(wanted, floor, above, others, sag)
+        self._overhung[floor.label] = above.outline.area - fitted.pocket.area
+        return fitted
 
     def _taken_over(self, wanted: PocketRequest) -> Plan | None:
         """Return an earlier plan for the same request, or None."""
@@ -152,6 +180,15 @@ class Pockets:
                 Notice(
                     "The pocket is open at a side; the cutter stays within the floor there.",
                     "Clear that side with another operation, or enlarge the floor in the model.",
+                ),
+            )
+        if self._overhung[floor.label] > TOLD_OVERHANG:
+            self._note(
+                floor,
+                Notice(
+                    f"Walls lean over the floor; {self._overhung[floor.label]:.0f} mm2 of it below "
+                    "them stay uncut.",
+                    "Machine that part from another side, or with an undercutting tool.",
                 ),
             )
         for notice in plan.report.notices:

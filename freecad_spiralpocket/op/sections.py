@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pocket's section at each level, where its walls are not vertical.
+
+After Chatelain et al. 2008 [CS08], section 3.2: the levels cut the part, each section is
+a pocket of its own. The levels end on flat ledges and on tops of low islands too, so that
+these are cleared to their own height. A ledge that is selected as a floor itself is left
+to that pocket, and this one goes no wider above it. Above the rim, where no wall goes
+around any more, a level has the shape of the rim.
+
+Vertical walls, which most pockets have, are found out at once and give no sections.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import shapely
+from FreeCAD import Vector
+from shapely import Point, Polygon
+
+from ..engine.errors import CutterDoesNotFitError
+from ..engine.levels import floors
+from ..engine.model import PocketRequest, Section
+from .selection import SAME_HEIGHT, Floor
+from .walls import ABOVE, Walls
+
+#: Sections that differ by no more than this many sags are one.
+ALIKE = 2.0
+
+
+def fitted(
+    wanted: PocketRequest, floor: Floor, walls: Walls, others: Sequence[Floor], sag: float
+) -> PocketRequest:
+    """Return a request with the sections of the walls, the same if these are vertical.
+
+    Parameters
+    ----------
+    wanted : PocketRequest
+        With the floor's outline.
+    floor : Floor
+    walls : Walls
+        Of that floor.
+    others : sequence of Floor
+        That are selected too.
+    sag : float
+        How far sections may be off [mm].
+
+    Raises
+    ------
+    CutterDoesNotFitError
+        If the part overhangs the whole floor.
+    """
+    heights = wanted.heights
+    if not (heights.step_down > 0 and heights.start_depth > wanted.floor):
+        return wanted  # the engine says what is wrong with that
+    if walls.are_plain(heights.start_depth):
+        return wanted
+    shapes = _Shapes(floor, walls, others, heights.start_depth)
+    if not shapes.at(wanted.floor).area:
+        x, y = floor.face.CenterOfMass.x, floor.face.CenterOfMass.y
+        raise CutterDoesNotFitError(
+            "The part overhangs the whole floor; no cutter gets there from above.",
+            "Turn the part over, or machine it from another side.",
+            (x, y),
+        )
+    low, stock = max(floor.z, wanted.floor), wanted.cutting.floor_stock
+    ledges = [z + stock for z in shapes.ledges(low)]
+    tops = [heights.start_depth, *floors(heights, stock, ledges)]
+    sections = shapes.sections(tops, {z: z - stock for z in ledges}, ALIKE * sag)
+    pocket = sections[-1].pocket
+    if all(s.pocket is pocket and s.mouth is None for s in sections):
+        sections = ()
+    return replace(wanted, pocket=pocket, sections=sections)
+
+
+class _Shapes:
+    """What a pocket is at each height."""
+
+    def __init__(self, floor: Floor, walls: Walls, others: Sequence[Floor], top: float) -> None:
+        self._floor, self._walls = floor, walls
+        levels = walls.ledges(floor.z, top + ABOVE) if floor.open_edges == 0 else []
+        self._flats = sorted(levels, reverse=True)
+        self._rim = float("inf")
+        faces = [(o.z, o.face) for o in others if o.solid.isSame(floor.solid)]
+        for z, place in self._flats:
+            taken = any(abs(oz - z) < SAME_HEIGHT and _has(face, place, z) for oz, face in faces)
+            if taken and self._widens(z, place):
+                self._rim = min(self._rim, z)
+
+    def at(self, z: float) -> Polygon:
+        """Return the pocket at Z `z`."""
+        floor = self._floor
+        if floor.open_edges:
+            z = min(z, floor.z)  # it stays within the floor at all heights
+        if z >= self._rim - ABOVE:
+            z = self._rim - 2 * ABOVE
+        below = (flat - 2 * ABOVE for flat, _ in self._flats if flat - ABOVE < z)
+        for height in (z, *below):
+            free = self._walls.free(height)
+            if free is not None:
+                return free
+        free = self._walls.free(floor.z)
+        return self._walls.outline if free is None else free
+
+    def ledges(self, low: float) -> list[float]:
+        """Return the Z of level faces above `low` on which the pocket widens, highest first."""
+        found: list[float] = []
+        for z, place in self._flats:
+            is_new = not found or found[-1] - z > SAME_HEIGHT
+            is_between = low + SAME_HEIGHT < z < self._rim - SAME_HEIGHT
+            if is_new and is_between and self._widens(z, place):
+                found.append(z)
+        return found
+
+    def sections(
+        self, tops: Sequence[float], ledges: Mapping[float, float], alike: float
+    ) -> tuple[Section, ...]:
+        """Return the sections at all levels, those alike with one and the same polygon.
+
+        Parameters
+        ----------
+        tops : sequence of float
+            Z of the top of each level, and of the floor [mm].
+        ledges : mapping
+            Z of the ledge for each level that ends on one.
+        alike : float
+            How far alike sections may differ [mm].
+        """
+        levels = tops[1:]
+        shapes = [self.at(z) for z in levels]
+        mouths = [self.at(tops[0] - 2 * ABOVE), *shapes]
+        for i, z in enumerate(levels):
+            if z in ledges:
+                mouths[i + 1] = self.at(ledges[z] - 2 * ABOVE)
+        for i in range(len(levels) - 2, -1, -1):
+            if _are_alike(shapes[i], shapes[i + 1], alike):
+                shapes[i] = shapes[i + 1]  # the lower one lies within the upper one
+        return tuple(
+            Section(z, shape, None if _are_alike(shape, mouth, alike) else mouth)
+            for z, shape, mouth in zip(levels, shapes, mouths[:-1], strict=True)
+        )
+
+    def _widens(self, z: float, place: tuple[float, float]) -> bool:
+        """Return whether a place is in the pocket just above Z `z`, but not just below."""
+        point = Point(place)
+        return self.at(z).contains(point) and not self.at(z - 2 * ABOVE).contains(point)
+
+
+def _has(face: Any, place: tuple[float, float], z: float) -> bool:
+    return bool(face.isInside(Vector(*place, z), SAME_HEIGHT, True))
+
+
+def _are_alike(one: Polygon, other: Polygon, distance: float) -> bool:
+    if one is other:
+        return True
+    return bool(
+        shapely.buffer(one, distance).covers(other) and shapely.buffer(other, distance).covers(one)
+    )
