@@ -91,8 +91,9 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         properties.create(obj)
 
     def opSetDefaultValues(self, obj: Any, job: Any) -> None:  # noqa: N802
-        """Set the defaults; presets of the setup sheet follow."""
+        """Set the defaults and what the user prefers; presets of the setup sheet follow."""
         properties.set_defaults(obj)
+        properties.set_preferred(obj)
 
     def opOnDocumentRestored(self, obj: Any) -> None:  # noqa: N802
         """Bring documents of older releases up to date."""

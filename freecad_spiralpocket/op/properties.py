@@ -18,11 +18,14 @@ from typing import Any
 
 from .. import machines
 from ..engine.model import CutMode, FeedMode, Strategy
+from . import preferences
 
 #: Version of the table that this release writes into documents.
 SCHEMA_VERSION = 2
-#: The presets of resources/machines, the first as the default.
-MACHINES = tuple(sorted(machines.names(), key=lambda name: name != "hobby_router"))
+#: The user's machines and those of resources/machines, the default first.
+MACHINES = tuple(
+    sorted(machines.names(preferences.machine_folder()), key=lambda name: name != "hobby_router")
+)
 
 OPTIONS, START, RESULT = "Spiral Pocket", "Start Point", "Result"
 _EDITABLE, _READ_ONLY, _HIDDEN = 0, 1, 2
@@ -235,7 +238,16 @@ def create(obj: Any) -> list[Property]:
             setattr(obj, p.name, list(p.choices))
     for p in TABLE:
         obj.setEditorMode(p.name, p.editor_mode)
+    if hasattr(obj, "DoNotSetDefaultValues"):
+        _mend_prototype(obj)
     return added
+
+
+def _mend_prototype(prototype: Any) -> None:
+    """Let the setup sheet read "False" from a job template as no, which FreeCAD takes for yes."""
+    for p in TABLE:
+        if p.type == "App::PropertyBool":
+            prototype.getProperty(p.name).valueFromString = "True".__eq__
 
 
 def set_defaults(obj: Any, rows: tuple[Property, ...] | list[Property] = TABLE) -> None:
@@ -244,6 +256,15 @@ def set_defaults(obj: Any, rows: tuple[Property, ...] | list[Property] = TABLE) 
         if p.default is not None:
             setattr(obj, p.name, p.default)
     obj.SchemaVersion = SCHEMA_VERSION
+
+
+def set_preferred(obj: Any) -> None:
+    """Set what the user prefers for new operations, as far as this release knows the choice."""
+    for p in TABLE:
+        if p.name in preferences.NAMES:
+            value = preferences.read(p.name, p.default)
+            if not p.choices or value in p.choices:
+                setattr(obj, p.name, value)
 
 
 def migrate(obj: Any) -> None:
@@ -256,8 +277,9 @@ def migrate(obj: Any) -> None:
     for p in TABLE:
         if p.choices and list(p.choices) != obj.getEnumerationsOfProperty(p.name):
             value = getattr(obj, p.name)
-            setattr(obj, p.name, list(p.choices))
-            if value in p.choices:
+            foreign = p.name == "Machine" and value not in p.choices  # another user's own
+            setattr(obj, p.name, [*p.choices, value] if foreign else list(p.choices))
+            if value in p.choices or foreign:
                 setattr(obj, p.name, value)
     if added or obj.SchemaVersion < SCHEMA_VERSION:
         set_defaults(obj, added)

@@ -29,6 +29,7 @@ from ..engine.model import (
     Strategy,
 )
 from ..engine.stepover import engagement_angle, radial_depth
+from . import preferences
 from .selection import SAME_HEIGHT
 
 if TYPE_CHECKING:
@@ -71,7 +72,7 @@ def final_depth(obj: Any, z: float, deepest: float) -> float:
 @cache
 def machine(name: str) -> Machine:
     """Return the machine preset `name`, read once."""
-    return machines.load(name)
+    return machines.load(name, preferences.machine_folder())
 
 
 def stepover(obj: Any) -> float:

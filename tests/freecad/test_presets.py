@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Defaults of new operations: the user's preferences, the job's setup sheet, job templates."""
+
+import json
+
+import FreeCAD
+import pytest
+from sample_parts import add_job, add_part, area, block, rectangle
+
+from freecad_spiralpocket import machines
+from freecad_spiralpocket.op import operation, preferences, presets, properties
+
+#: One value other than the default for every option that a preset may hold.
+OTHERS = {
+    "Strategy": "Linear Morph",
+    "StepOver": 23,
+    "MaxEngagement": 70.5,
+    "CutMode": "Conventional",
+    "StockToLeave": 0.3,
+    "ZStockToLeave": 0.1,
+    "HelixAngle": 3.0,
+    "HelixDiameterLimit": 5.0,
+    "Tolerance": 0.02,
+    "Machine": "vmc",
+    "FeedMode": "Chip thickness",
+    "SlowdownPercent": 60,
+    "MaxFeedRatio": 1.5,
+    "LinkFeed": 4000.0,
+    "SlotBite": 0.5,
+    "FinishingProfile": False,
+    "UseOutline": True,
+}
+
+
+@pytest.fixture
+def job(doc):
+    """Return a job without operations."""
+    return add_job(doc, add_part(doc, block(area(rectangle(20, 20, 4)))))
+
+
+@pytest.fixture
+def parameters():
+    """Return the parameters that hold the preferences, emptied before and after."""
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    group.Clear()
+    yield group
+    group.Clear()
+
+
+def values(op):
+    """Return the value of every option that a preset may hold."""
+    read = {name: getattr(op, name) for name in properties.preset_names()}
+    return {name: getattr(value, "Value", value) for name, value in read.items()}
+
+
+def new(job):
+    """Return a new operation, which has no floor and stays without a path."""
+    return operation.Create("SpiralPocket", parentJob=job)
+
+
+def test_every_option_is_tried():
+    defaults = {p.name: p.default for p in properties.TABLE}
+    assert set(OTHERS) == set(properties.preset_names())
+    assert all(value != defaults[name] for name, value in OTHERS.items())
+
+
+def test_options_become_the_jobs_default(job):
+    first = new(job)
+    for name, value in OTHERS.items():
+        setattr(first, name, value)
+    presets.keep(first)
+    assert values(new(job)) == pytest.approx(OTHERS)
+
+
+@pytest.mark.parametrize("wanted", [OTHERS, {"UseOutline": False, "FinishingProfile": True}])
+def test_a_job_template_carries_every_option(doc, job, wanted):
+    first = new(job)
+    for name, value in wanted.items():
+        setattr(first, name, value)
+    presets.keep(first)
+    sheet = job.SetupSheet.Proxy
+    attributes = sheet.templateAttributes(includeOps=[operation.NAME])
+    text = json.dumps(sheet.encodeTemplateAttributes(attributes))
+    other = add_job(doc, doc.getObject("Part"))
+    decoded = other.SetupSheet.Proxy.decodeTemplateAttributes(json.loads(text))
+    other.SetupSheet.Proxy.setFromTemplate(decoded)
+    made = values(new(other))
+    assert {name: made[name] for name in wanted} == pytest.approx(wanted)
+
+
+def test_preferences_set_new_operations_and_the_setup_sheet_goes_before_them(job, parameters):
+    wanted = {name: OTHERS[name] for name in preferences.NAMES}
+    defaults = {p.name: p.default for p in properties.TABLE}
+    for name, value in wanted.items():
+        preferences.write(name, value, defaults[name])
+    made = new(job)
+    assert {name: values(made)[name] for name in wanted} == pytest.approx(wanted)
+    job.SetupSheet.Proxy.setFromTemplate({operation.NAME: {"StepOver": "31"}})
+    assert new(job).StepOver == 31
+
+
+def test_a_preferred_default_is_not_kept(parameters):
+    preferences.write("StepOver", 30, 40)
+    preferences.write("StepOver", 40, 40)
+    assert not parameters.GetContents()
+
+
+def test_a_preferred_choice_that_is_gone_is_passed_over(job, parameters):
+    preferences.write("Machine", "sold_last_year", "hobby_router")
+    assert new(job).Machine == "hobby_router"
+
+
+def test_the_users_own_machines_come_from_a_folder(tmp_path, parameters):
+    (tmp_path / "mine.json").write_text((machines.FOLDER / "vmc.json").read_text())
+    preferences.write(preferences.MACHINE_FOLDER, str(tmp_path), "")
+    folder = preferences.machine_folder()
+    assert "mine" in machines.names(folder)
+    assert machines.load("mine", folder) == machines.load("vmc")
+    preferences.write(preferences.MACHINE_FOLDER, str(tmp_path / "gone"), "")
+    assert preferences.machine_folder() is None
+
+
+def test_another_users_machine_stays_in_the_document(job):
+    made = new(job)
+    made.Machine = [*properties.MACHINES, "theirs"]
+    made.Machine = "theirs"
+    made.Proxy.onDocumentRestored(made)
+    assert made.Machine == "theirs"
