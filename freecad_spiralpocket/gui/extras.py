@@ -11,6 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Protocol
 
+from .outlook import Outlook
+from .preview import Preview
+
 
 class Extra(Protocol):
     """What the page asks of an extra."""
@@ -35,4 +38,4 @@ class Extra(Protocol):
 
 
 #: From the top to the bottom; each is called with the page.
-FACTORIES: list[Callable[[Any], Extra]] = []
+FACTORIES: list[Callable[[Any], Extra]] = [Outlook.of, Preview]

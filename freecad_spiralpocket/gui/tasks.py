@@ -2,25 +2,26 @@
 """What is done beside the window: each task takes one record and returns one.
 
 Runs in a process that has neither FreeCAD nor Qt (`workerprocess`), or in a thread
-where no such process can be started. Everything that goes in or out is pickled.
+where no such process can be started. Everything that goes in or out is pickled. The
+engine is loaded by the first task: without shapely the window opens all the same.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ..engine.draft import Draft, Opening, draft, openings
-from ..engine.model import Plan, PocketRequest, Progress
-from ..engine.planner import plan
-from ..trace import Areas, Trace, areas_of, trace_of
+if TYPE_CHECKING:
+    from ..engine.draft import Draft, Opening
+    from ..engine.model import Plan, PocketRequest, Progress
+    from ..trace import Areas, Trace
 
 #: Openings of so many pockets are kept.
 KEPT = 64
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Drawn:
     """A plan and what is drawn of it."""
 
@@ -41,6 +42,8 @@ class Tasks:
 
     def draft(self, request: PocketRequest, _: Progress) -> Draft:
         """Return rough laps; how the pocket is opened is known from the last time."""
+        from ..engine.draft import draft, openings
+
         key = (
             request.pocket,
             request.tool_diameter,
@@ -57,6 +60,9 @@ class Tasks:
 
     def plan(self, request: PocketRequest, progress: Progress) -> Drawn:
         """Return the proved plan, drawn."""
+        from ..engine.planner import plan
+        from ..trace import areas_of, trace_of
+
         made = plan(request, progress)
         return Drawn(made, trace_of(made), areas_of(made))
 

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the next recompute will bring, kept up to date while values are typed.
+
+A change is looked at a moment later, once: the requests of the pockets are foreseen,
+those that stayed the same keep what they have. Of the others a draft is made at once
+and, when nothing has changed for a while, the proved plan. The newest request wins;
+what is under way for an older one is ended. The document is only read.
+
+Preview, result, plots and comparison of one panel share one outlook and listen to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import FreeCAD
+from PySide import QtCore
+
+from ..engine.dependencies import require_libraries
+from ..engine.errors import SpiralPocketError
+from ..engine.model import Plan, PocketRequest
+from . import planning
+from .lane import Job
+from .tasks import Drawn
+
+if TYPE_CHECKING:
+    from ..engine.draft import Draft
+
+SOON = 15  # ms after a change until it is looked at, so that several changes are one
+QUIET = 300  # ms without a change after which proofs begin
+
+
+class Outlook:
+    """The pockets of an operation as they will be; an extra of the panel without widgets.
+
+    Attributes
+    ----------
+    pockets : list of Pocket
+        One for each selected face that makes a sound request.
+    problems : list of SpiralPocketError
+        What keeps other pockets, or all, from being planned.
+    listeners : list of callable
+        Called after every change of what can be seen here.
+    """
+
+    def __init__(self, page: Any) -> None:
+        self._obj = page.obj
+        self.pockets: list[Pocket] = []
+        self.problems: list[SpiralPocketError] = []
+        self.listeners: list[Callable[[], None]] = []
+        self.is_on = True
+        self._is_closed = False
+        self._soon, self._quiet = QtCore.QTimer(), QtCore.QTimer()
+        for timer, slot in ((self._soon, self._look), (self._quiet, self._prove)):
+            timer.setSingleShot(True)
+            timer.timeout.connect(slot)
+
+    @classmethod
+    def of(cls, page: Any) -> Outlook:
+        """Return the outlook of a panel's page, one for all that ask."""
+        if getattr(page, "outlook", None) is None:
+            page.outlook = cls(page)
+        return page.outlook
+
+    def widget(self) -> None:
+        """Return nothing: others show what is here."""
+
+    def changed(self) -> None:
+        """Look at the operation soon."""
+        if self.is_on and not self._is_closed:
+            self._soon.start(SOON)
+            self._quiet.start(QUIET)
+
+    computed = changed
+
+    def switch(self, on: bool) -> None:
+        """Go on looking, or stop and forget everything."""
+        self.is_on = on
+        if on:
+            self.changed()
+        else:
+            self._clear()
+            self.tell()
+
+    def close(self) -> None:
+        """End what is under way."""
+        self._is_closed = True
+        self.listeners.clear()
+        self._clear()
+
+    def tell(self) -> None:
+        """Tell the listeners."""
+        for listener in list(self.listeners):
+            listener()
+
+    @property
+    def plans(self) -> list[Plan]:
+        """Return the proved plans of all pockets, empty while one is missing."""
+        drawn = [p.drawn for p in self.pockets]
+        return [d.plan for d in drawn if d is not None] if drawn and all(drawn) else []
+
+    @property
+    def is_settled(self) -> bool:
+        """Return whether nothing more will come without a change."""
+        waits = self._soon.isActive() or self._quiet.isActive()
+        return not waits and all(p.is_settled for p in self.pockets)
+
+    def _clear(self) -> None:
+        self._soon.stop()
+        self._quiet.stop()
+        for pocket in self.pockets:
+            pocket.close()
+        self.pockets, self.problems = [], []
+
+    def _look(self) -> None:
+        """Foresee the requests; keep the pockets that stayed the same."""
+        try:
+            require_libraries()
+            from ..op.foresight import requests_of
+
+            found = requests_of(self._obj) if self._obj.Active else []
+        except SpiralPocketError as error:
+            found = [error]
+        self.problems = [f for f in found if isinstance(f, SpiralPocketError)]
+        old = {p.request: p for p in self.pockets}
+        wanted = [f for f in found if isinstance(f, PocketRequest)]
+        self.pockets = [old.pop(r, None) or Pocket(r, self.tell) for r in wanted]
+        for pocket in old.values():
+            pocket.close()
+        for pocket in self.pockets:
+            pocket.draw()
+        self.tell()
+        planning.proofs.warm_up()
+
+    def _prove(self) -> None:
+        """Let the proofs begin, the small pockets first."""
+        for pocket in sorted(self.pockets, key=lambda p: p.request.pocket.area):
+            pocket.prove()
+        self.tell()
+
+
+class Pocket:
+    """One pocket: its draft first, then its plan or why there is none.
+
+    Attributes
+    ----------
+    request : PocketRequest
+    draft : Draft or None
+    is_drafted : bool
+        Whether there is a draft, or will be none.
+    drawn : Drawn or None
+        The proved plan.
+    error : SpiralPocketError or None
+        Why there is none.
+    """
+
+    def __init__(self, request: PocketRequest, tell: Callable[[], None]) -> None:
+        self.request = request
+        self.draft: Draft | None = None
+        self.is_drafted = False
+        self.drawn: Drawn | None = None
+        self.error: SpiralPocketError | None = None
+        self._tell = tell
+        self._jobs: list[tuple[Any, Job]] = []
+
+    @property
+    def is_settled(self) -> bool:
+        """Return whether its plan is there, or will not be."""
+        return self.drawn is not None or self.error is not None
+
+    @property
+    def fraction(self) -> float:
+        """Return the share of the proof that is done."""
+        shares = [job.fraction for _, job in self._jobs if job.task == "plan"]
+        return 1.0 if self.is_settled else max(shares, default=0.0)
+
+    def draw(self) -> None:
+        """Take the plan if it is known, else ask for a draft."""
+        if self.is_settled or self._jobs or self._take_known():
+            return
+        self._start(planning.drafts, planning.drafts.submit("draft", self.request))
+
+    def prove(self) -> None:
+        """Ask for the plan."""
+        if self.is_settled or any(job.task == "plan" for _, job in self._jobs):
+            return
+        if not self._take_known():
+            self._start(planning.proofs, planning.prove(self.request))
+
+    def close(self) -> None:
+        """Give up what is under way."""
+        jobs, self._jobs = self._jobs, []
+        for lane, job in jobs:
+            if self._hear in job.listeners:
+                job.listeners.remove(self._hear)
+            lane.give_up(job)
+
+    def _start(self, lane: Any, job: Job) -> None:
+        self._jobs.append((lane, job))
+        job.listeners.append(self._hear)
+
+    def _take_known(self) -> bool:
+        outcome = planning.known(self.request)
+        if isinstance(outcome, SpiralPocketError):
+            self.error = outcome
+        elif outcome is not None:
+            self.drawn = outcome
+        return outcome is not None
+
+    def _hear(self, job: Job) -> None:
+        if job.crash:
+            FreeCAD.Console.PrintError(job.crash + "\n")
+            self.error = SpiralPocketError("An error in the add-on: see the Report view.")
+        elif job.is_done and job.task == "draft":
+            # without a draft, the proof says what is the matter
+            self.draft, self.is_drafted = job.result, True
+        elif job.is_done:
+            self._take_known()
+        if self.is_settled:
+            self.close()
+        self._tell()

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The live preview: draws the outlook of the panel on the part.
+
+Shows drafts until the proved plans are there, and says which it is. What a change has
+made stale is shown until there is something newer of every pocket, a fraction of a
+second, so that nothing flickers while a value is typed.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import numpy as np
+
+from ..engine.model import Floats
+from .outlook import Outlook, Pocket
+from .previewbox import PreviewBox
+from .previewcolors import OVER_LIMIT, Scale
+from .previewscene import DraftItem, PathItem, Scene
+from .tasks import Drawn
+
+translate = FreeCAD.Qt.translate
+
+
+class Preview:
+    """An extra of the panel."""
+
+    def __init__(self, page: Any) -> None:
+        self._outlook = Outlook.of(page)
+        self._scene = Scene(page.obj.ViewObject)
+        self._items: dict[Pocket, Any] = {}
+        self._scale = Scale("engagement", 180.0)
+        self.box = PreviewBox(self._outlook.switch, self._color, self._play)
+        self.box.set_total(0.0)
+        self._outlook.listeners.append(self._update)
+        page.preview = self
+
+    def widget(self) -> Any:
+        """Return the box."""
+        return self.box
+
+    def changed(self) -> None:
+        """Wait for the outlook."""
+
+    computed = changed
+
+    def close(self) -> None:
+        """Take the preview off the part; the widgets may be gone already."""
+        self._scene.close()
+        self._items.clear()
+
+    def point_at(self, seconds: float | None) -> None:
+        """Show the cutter where it is at a time of the whole cut [s], None for nowhere."""
+        point, drawn = self._place(seconds)
+        if drawn is None:
+            self._scene.place_cutter(None)
+        else:
+            request = drawn.plan.request
+            height = request.heights.start_depth - request.floor
+            self._scene.place_cutter(point, request.cutter_radius, height)
+
+    def _update(self) -> None:
+        """Draw what the outlook holds."""
+        pockets = self._outlook.pockets
+        scale = self._wanted_scale()
+        recolored, self._scale = scale != self._scale, scale
+        waits = any(not (p.is_drafted or p.is_settled) for p in pockets)
+        kept = {p: item for p, item in self._items.items() if waits or p in pockets}
+        for pocket in pockets:
+            item = kept.get(pocket)
+            if pocket.drawn is not None and not isinstance(item, PathItem):
+                kept[pocket] = _path_item(pocket.drawn, scale)
+            elif pocket.draft is not None and item is None:
+                kept[pocket] = DraftItem(pocket.draft)
+            elif recolored and isinstance(item, PathItem):
+                item.color(scale)
+        if list(kept.items()) != list(self._items.items()):
+            self._items = kept
+            self._scene.show(list(kept.values()))
+            self._play(self.box.share)
+        self.box.bar.set_scale(scale)
+        self.box.set_total(sum(_seconds(d) for d in self._drawn()) if self._outlook.plans else 0.0)
+        self.box.status.setText(self._status())
+
+    def _wanted_scale(self) -> Scale:
+        """Return the scale for all pockets together."""
+        quantity = self.box.quantity.currentData()
+        requests = [p.request for p in self._outlook.pockets]
+        if quantity == "feed":
+            feeds = [float(d.trace.feeds[d.trace.angles > 0].max(initial=0)) for d in self._drawn()]
+            planned = [r.feeds.horizontal for r in requests]
+            return Scale(quantity, 60 * max([*feeds, *planned], default=1.0))
+        limit = float(np.degrees(max((r.engagement_limit for r in requests), default=np.pi)))
+        return Scale(quantity, min(180.0, OVER_LIMIT * limit), limit)
+
+    def _drawn(self) -> list[Drawn]:
+        return [p.drawn for p in self._outlook.pockets if p.drawn is not None]
+
+    def _status(self) -> str:
+        """Return how far the preview is, or why there is none."""
+        outlook = self._outlook
+        errors = [*outlook.problems, *(p.error for p in outlook.pockets if p.error)]
+        if not outlook.is_on:
+            return translate("SpiralPocket", "Switched off.")
+        if errors:
+            return "\n".join(dict.fromkeys(str(e) for e in errors))
+        count, done = len(outlook.pockets), len(self._drawn())
+        if not count:
+            return ""
+        if done == count:
+            return translate("SpiralPocket", "This is the proved path.")
+        share = sum(p.fraction for p in outlook.pockets) / count
+        return translate("SpiralPocket", "Draft. The path is being proved: {:.0f} %").format(
+            100 * share
+        )
+
+    def _color(self, quantity: str) -> None:
+        self._update()
+
+    def _play(self, share: float) -> None:
+        """Show the cut up to a share of its time."""
+        drawn = self._drawn()
+        seconds = share * sum(_seconds(d) for d in drawn)
+        gone = 0.0
+        for pocket in self._outlook.pockets:
+            item = self._items.get(pocket)
+            if pocket.drawn is not None and isinstance(item, PathItem):
+                item.play(seconds - gone if share < 1 else np.inf)
+                gone += _seconds(pocket.drawn)
+        self.point_at(seconds if share < 1 and drawn else None)
+
+    def _place(self, seconds: float | None) -> tuple[Floats | None, Drawn | None]:
+        """Return where the cutter is at a time of the whole cut, and in which plan."""
+        if seconds is not None:
+            for drawn in self._drawn():
+                if seconds <= _seconds(drawn):
+                    return drawn.trace.point_at(seconds), drawn
+                seconds -= _seconds(drawn)
+        return None, None
+
+
+def _seconds(drawn: Drawn) -> float:
+    return float(drawn.trace.clock[-1])
+
+
+def _path_item(drawn: Drawn, scale: Scale) -> PathItem:
+    return PathItem(drawn.trace, drawn.areas, drawn.plan.request.floor, scale)

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The preview follows what is typed, touches nothing, and leaves nothing behind."""
+
+import gc
+
+import FreeCADGui
+import pytest
+from pivy import coin
+from snapshot import differences, snapshot
+from window import (
+    APPLY,
+    CANCEL,
+    OK,
+    edit,
+    is_panel_open,
+    panel,
+    pixels_that_differ,
+    press,
+    press_toolbar_button,
+    pump,
+    screenshot,
+    select,
+    wait_for,
+    widget,
+)
+
+from freecad_spiralpocket.gui import planning
+from freecad_spiralpocket.gui.previewscene import NAME, DraftItem, PathItem
+
+
+def preview():
+    """Return the preview of the open panel."""
+    return panel().operation_page.preview
+
+
+def outlook():
+    """Return what the open panel foresees."""
+    return panel().operation_page.outlook
+
+
+def items():
+    """Return what the preview shows."""
+    return list(preview()._items.values())
+
+
+def settle():
+    """Wait until everything is proved."""
+    wait_for(lambda: outlook().is_settled, 60)
+
+
+def nodes(document):
+    """Return how many previews hang in the 3D view of a document."""
+    search = coin.SoSearchAction()
+    search.setName(NAME)
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.setSearchingAll(True)
+    search.apply(FreeCADGui.getDocument(document.Name).ActiveView.getSceneGraph())
+    return search.getPaths().getLength()
+
+
+@pytest.fixture
+def opened(job, floor):
+    """Return a new operation with its panel open and its path proved."""
+    planning._proved.clear()
+    select(floor)
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    settle()
+    return job.Operations.Group[0]
+
+
+def test_the_proved_path_is_drawn_without_a_recompute(opened):
+    assert [type(i) for i in items()] == [PathItem]
+    assert len(opened.Path.Commands) == 0
+    assert "proved" in preview().box.status.text()
+
+
+def test_a_change_is_drafted_first_and_proved_then(opened):
+    widget("stepOverPercent").setValue(17)
+    seen = []
+    wait_for(lambda: seen.append(tuple(map(type, items()))) or outlook().is_settled, 60)
+    order = [s for i, s in enumerate(seen) if i == 0 or s != seen[i - 1]]
+    assert order[-2:] == [(DraftItem,), (PathItem,)]
+    assert outlook().plans[0].request.cutting.stepover == pytest.approx(0.17 * 6)
+
+
+def test_typing_fast_shows_the_last_value_only(opened):
+    for percent in range(20, 40):
+        widget("stepOverPercent").setValue(percent)
+        pump(0.02)
+    settle()
+    assert [p.request.cutting.stepover for p in outlook().pockets] == [pytest.approx(0.39 * 6)]
+    assert len(items()) == 1
+
+
+def test_a_value_that_was_seen_before_is_drawn_at_once(opened):
+    first = outlook().pockets[0].drawn
+    widget("stepOverPercent").setValue(31)
+    settle()
+    widget("stepOverPercent").setValue(40)
+    pump(0.1)
+    assert outlook().pockets[0].drawn is first
+    assert [type(i) for i in items()] == [PathItem]
+
+
+def test_preview_touches_nothing(doc, opened):
+    before = snapshot(doc)
+    widget("stepOverPercent").setValue(33)
+    settle()
+    preview().box.slider.setValue(400)
+    preview().box.quantity.setCurrentIndex(1)
+    pump()
+    changed = differences(before, snapshot(doc))
+    assert set(changed) == {opened.Name}
+    assert set(changed[opened.Name]) <= {"StepOver"}
+
+
+def test_apply_takes_what_the_preview_has_proved(opened, monkeypatch):
+    (plan,) = outlook().plans
+    monkeypatch.setattr(planning.proofs, "submit", None)  # nothing is planned anew
+    press(APPLY)
+    assert opened.Proxy.plans[0] is plan
+    assert len(opened.Path.Commands) > 100
+
+
+def test_the_operations_own_path_is_hidden_while_the_preview_shows(opened):
+    press(APPLY)
+    switch = opened.ViewObject.SwitchNode
+    assert switch.whichChild.getValue() == coin.SO_SWITCH_NONE
+    preview().box.live.setChecked(False)
+    pump()
+    assert switch.whichChild.getValue() == 0 and not items()
+    preview().box.live.setChecked(True)
+    settle()
+    press(OK)
+    assert switch.whichChild.getValue() == 0 and opened.ViewObject.Visibility
+
+
+def test_what_cannot_be_cut_is_said_and_nothing_old_is_shown(job, opened):
+    widget("stockToLeave").setProperty("rawValue", 50)
+    settle()
+    assert "does not fit" in preview().box.status.text()
+    assert not items()
+    widget("stockToLeave").setProperty("rawValue", 0)
+    settle()
+    assert [type(i) for i in items()] == [PathItem]
+
+
+def test_the_slider_plays_the_cut(opened):
+    box = preview().box
+    whole = screenshot()
+    box.slider.setValue(300)
+    part = screenshot()
+    assert pixels_that_differ(whole, part) > 500
+    box.play.setChecked(True)
+    pump(0.5)
+    assert box.slider.value() > 300
+    box.play.setChecked(False)
+    box.slider.setValue(box.slider.maximum())
+    assert pixels_that_differ(whole, screenshot()) < 50
+
+
+def test_colors_by_feed_differ(opened):
+    by_engagement = screenshot()
+    preview().box.quantity.setCurrentIndex(1)
+    assert pixels_that_differ(by_engagement, screenshot()) > 500
+
+
+@pytest.mark.parametrize("button", [OK, CANCEL])
+def test_nothing_is_left_in_the_view(doc, opened, button):
+    assert nodes(doc) == 1
+    press(button)
+    wait_for(lambda: not is_panel_open())
+    assert nodes(doc) == 0
+
+
+def test_deleted_operation_takes_its_preview_along(doc, opened):
+    doc.removeObject(opened.Name)
+    wait_for(lambda: not is_panel_open())
+    assert nodes(doc) == 0
+
+
+@pytest.mark.slow
+def test_fifty_openings_leave_nothing_behind(doc, opened):
+    press(OK)
+    root = opened.ViewObject.RootNode
+    before = root.getNumChildren()
+    gc.collect()
+    for _ in range(50):
+        edit(opened)
+        settle()
+        press(CANCEL)
+    assert nodes(doc) == 0
+    assert root.getNumChildren() == before
+    gc.collect()
+    kept = [o for o in gc.get_objects() if isinstance(o, PathItem)]
+    assert len(kept) <= 1
+
+
+def test_tool_that_does_not_fit_is_said(job, opened):
+    job.Tools.Group[0].Tool.Diameter = 80
+    widget("stepOverPercent").setValue(29)
+    settle()
+    assert "80 mm" in preview().box.status.text()
+    press(CANCEL)
