@@ -21,8 +21,10 @@ from .command import COMMAND, CommandSpiralPocket
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
 
 TOOLBAR = "New Operations"
-#: The menu of 0.20 and, since 1.0, the item of CAM's menu that ours follows.
-LEGACY_WORKBENCH, LEGACY_MENU, NEIGHBOR = "PathWorkbench", "&Path", "CAM_Adaptive"
+#: The workbench, which was Path in 0.20; its menu there, and since 1.0 the item of CAM's menu
+#: that ours follows.
+WORKBENCH, LEGACY_WORKBENCH = "CAMWorkbench", "PathWorkbench"
+LEGACY_MENU, NEIGHBOR = "&Path", "CAM_Adaptive"
 
 
 class Manipulator:
@@ -40,12 +42,38 @@ class Manipulator:
         return [{"insert": COMMAND, "menuItem": NEIGHBOR, "after": ""}]
 
 
+class PreferencePage:
+    """Stands for the page of the preferences, which is loaded when FreeCAD asks for one."""
+
+    def __new__(cls, *parent: Any) -> Any:
+        """Return the real page."""
+        from .preferencepage import PreferencePage
+
+        return PreferencePage(*parent)
+
+
+def is_legacy() -> bool:
+    """Return whether CAM is still called Path, as in 0.20."""
+    return WORKBENCH not in FreeCADGui.listWorkbenches()
+
+
+def register_operation(workbench: str) -> None:
+    """Make the operation known to the setup sheets when CAM is first used.
+
+    Else the job editor would not offer its defaults, and a job template would lose them.
+    """
+    if workbench in (WORKBENCH, LEGACY_WORKBENCH):
+        from ..op import operation  # noqa: F401 - registers itself
+
+
 def start() -> None:
     """Make the command known to FreeCAD and put it where users look for it."""
     FreeCADGui.addIconPath(str(RESOURCES / "icons"))
     FreeCADGui.addLanguagePath(str(RESOURCES / "translations"))
     FreeCADGui.updateLocale()
     FreeCADGui.addCommand(COMMAND, CommandSpiralPocket())
+    FreeCADGui.addPreferencePage(PreferencePage, "Path" if is_legacy() else "CAM")
+    FreeCADGui.getMainWindow().workbenchActivated.connect(register_operation)
     FreeCAD.addDocumentObserver(Adopter())
     if hasattr(FreeCADGui, "addWorkbenchManipulator"):
         FreeCADGui.addWorkbenchManipulator(Manipulator())

@@ -18,6 +18,7 @@ import FreeCADGui
 from PySide import QtCore
 
 from ..engine.errors import SetupError
+from ..op import presets
 from ..op.compat import parent_job
 from . import messages, progress
 from .command import ICON
@@ -47,6 +48,20 @@ class ViewProvider(PathOpGui.ViewProvider):
     def getIcon(self) -> str:  # noqa: N802 - the name FreeCAD calls
         """Return the icon in the tree."""
         return self.OpIcon if self.Object.Active else INACTIVE_ICON
+
+    def setupContextMenu(self, vobj: Any, menu: Any) -> None:  # noqa: N802
+        """Offer to edit, and to make the options those of new operations."""
+        super().setupContextMenu(vobj, menu)
+        if parent_job(vobj.Object) is not None:
+            action = menu.addAction(translate("SpiralPocket", "Use as Default in This Job"))
+            action.triggered.connect(self.keep_options)
+
+    def keep_options(self, checked: bool = False) -> None:
+        """Keep the options in the job's setup sheet, as one step to undo."""
+        document = self.Object.Document
+        document.openTransaction(translate("SpiralPocket", "Use as Default in This Job"))
+        presets.keep(self.Object)
+        document.commitTransaction()
 
     def getSelectionFactory(self) -> Callable[[], None]:  # noqa: N802 - the name FreeCAD calls
         """Return what restricts the selection while the panel is open: as for Pocket."""

@@ -7,7 +7,8 @@ from importlib import import_module
 import FreeCAD
 import FreeCADGui
 import pytest
-from PySide import QtCore
+from pivy import coin
+from PySide import QtCore, QtGui
 from snapshot import differences, snapshot
 from window import (
     APPLY,
@@ -242,3 +243,49 @@ def test_operation_without_view_provider_gets_one(operation, proxy):
     assert widget("stepOverPercent").value() == operation.StepOver
     press(CANCEL)
     assert operation.Document.getObject("SpiralPocket") is not None
+
+
+def test_context_menu_keeps_the_options_for_the_job(doc, job, operation):
+    operation.StepOver, operation.UseOutline = 27, True
+    menu = QtGui.QMenu()
+    operation.ViewObject.Proxy.setupContextMenu(operation.ViewObject, menu)
+    assert [action.text() for action in menu.actions()] == ["Edit", "Use as Default in This Job"]
+    steps = doc.UndoCount
+    menu.actions()[-1].trigger()
+    assert doc.UndoCount == steps + 1
+    sheet = job.SetupSheet
+    assert (sheet.SpiralPocketStepOver, sheet.SpiralPocketUseOutline) == (27, True)
+    doc.undo()
+    assert "SpiralPocketStepOver" not in sheet.PropertiesList
+
+
+def test_copy_is_cut_like_the_original(doc, job, operation):
+    operation.StepOver = 30
+    doc.recompute()
+    copy = doc.copyObject(operation, False)
+    job.Proxy.addOperation(copy)
+    doc.recompute()
+    assert copy.StepOver == 30 and cut_moves(copy) == cut_moves(operation)
+    edit(copy)
+    widget("stepOverPercent").setValue(20)
+    press(OK)
+    assert (operation.StepOver, copy.StepOver) == (30, 20)
+    assert cut_moves(copy) > cut_moves(operation)
+
+
+def test_fifty_openings_leave_no_scene_nodes_behind(doc, operation):
+    def nodes():
+        search = coin.SoSearchAction()
+        search.setType(coin.SoNode.getClassTypeId())
+        search.setInterest(coin.SoSearchAction.ALL)
+        search.setSearchingAll(True)
+        search.apply(FreeCADGui.getDocument(doc.Name).ActiveView.getSceneGraph())
+        return search.getPaths().getLength()
+
+    edit(operation)
+    press(CANCEL)
+    before = nodes()
+    for _ in range(50):
+        edit(operation)
+        press(CANCEL)
+    assert nodes() == before

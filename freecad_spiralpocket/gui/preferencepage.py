@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page "Spiral Pocket" of FreeCAD's preferences, among those of CAM.
+
+FreeCAD makes the page when the dialog opens and calls `loadSettings` and
+`saveSettings`. What stands there are the defaults of new operations.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from ..op import preferences, properties
+from .choices import choice_text
+from .fields import MINUTE, set_inch_decimals
+from .startup import RESOURCES
+
+translate = FreeCAD.Qt.translate
+
+FORM = RESOURCES / "panels" / "Preferences.ui"
+
+#: The widget of each preferred option.
+WIDGETS = {name: name[0].lower() + name[1:] for name in preferences.NAMES}
+#: Boxes of plain numbers; the others hold quantities.
+_PLAIN = (QtGui.QSpinBox, QtGui.QDoubleSpinBox)
+
+
+class PreferencePage:
+    """The page; FreeCAD calls its methods."""
+
+    def __init__(self, parent: Any = None) -> None:
+        self.form = FreeCADGui.PySideUic.loadUi(str(FORM))
+        rows = {p.name: p for p in properties.TABLE}
+        self.boxes = [(rows[name], getattr(self.form, box)) for name, box in WIDGETS.items()]
+        for row, box in self.boxes:
+            box.setToolTip(translate("App::Property", row.tooltip))
+            for value in row.choices:
+                box.addItem(choice_text(row.name, value), value)
+        self.form.helixAngle.setProperty("unit", "deg")
+        self.form.tolerance.setProperty("unit", "mm")
+        self.form.linkFeed.setProperty("unit", "mm/min")
+        set_inch_decimals(self.form.tolerance, 5)
+
+    def loadSettings(self) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Show what is kept."""
+        for row, box in self.boxes:
+            value = preferences.read(row.name, row.default)
+            if row.choices:
+                box.setCurrentIndex(max(0, box.findData(value)))
+            elif isinstance(box, _PLAIN):
+                box.setValue(value)
+            else:
+                box.setProperty("rawValue", value / _factor(row.name))
+        folder = preferences.read(preferences.MACHINE_FOLDER, "")
+        self.form.machineFolder.setProperty("fileName", folder)
+
+    def saveSettings(self) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Keep what is shown."""
+        for row, box in self.boxes:
+            if row.choices:
+                value = box.currentData()
+            elif isinstance(box, _PLAIN):
+                value = box.value()
+            else:
+                value = round(box.property("rawValue") * _factor(row.name), 9)
+            preferences.write(row.name, value, row.default)
+        folder = self.form.machineFolder.property("fileName")
+        preferences.write(preferences.MACHINE_FOLDER, folder, "")
+
+
+def _factor(name: str) -> float:
+    """Return how many of the property's units are one of the box's."""
+    return MINUTE if name == "LinkFeed" else 1.0

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page of the preferences keeps defaults; the job editor knows the operation's presets."""
+
+import FreeCAD
+import pytest
+from PySide import QtGui
+from window import pump
+
+from freecad_spiralpocket.gui.preferencepage import WIDGETS, PreferencePage
+from freecad_spiralpocket.op import operation, preferences, properties
+from freecad_spiralpocket.op.compat import PathSetupSheet
+
+OTHERS = {
+    "Strategy": "Linear Morph",
+    "StepOver": 25,
+    "CutMode": "Conventional",
+    "HelixAngle": 3.0,
+    "Machine": "vmc",
+    "FeedMode": "Chip thickness",
+    "SlowdownPercent": 60,
+    "MaxFeedRatio": 1.5,
+    "LinkFeed": 3000.0,
+    "Tolerance": 0.02,
+}
+DEFAULTS = {p.name: p.default for p in properties.TABLE}
+
+
+@pytest.fixture
+def parameters():
+    """Return the parameters that hold the preferences, emptied before and after."""
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    group.Clear()
+    yield group
+    group.Clear()
+
+
+@pytest.fixture
+def page(parameters):
+    """Return the page as FreeCAD opens it."""
+    page = PreferencePage()
+    page.loadSettings()
+    return page
+
+
+def kept():
+    """Return what is preferred."""
+    return {name: preferences.read(name, DEFAULTS[name]) for name in preferences.NAMES}
+
+
+def enter(box, name, value):
+    """Enter a value into a widget of the page."""
+    if isinstance(box, QtGui.QComboBox):
+        box.setCurrentIndex(box.findData(value))
+    elif isinstance(box, (QtGui.QSpinBox, QtGui.QDoubleSpinBox)):
+        box.setValue(value)
+    else:
+        box.setProperty("rawValue", value / 60 if name == "LinkFeed" else value)
+
+
+def test_page_shows_defaults_and_keeps_none_of_them(page, parameters):
+    page.saveSettings()
+    assert not parameters.GetContents()
+
+
+def test_page_keeps_what_is_entered_and_shows_it_again(page, tmp_path):
+    for name, widget in WIDGETS.items():
+        enter(getattr(page.form, widget), name, OTHERS[name])
+    page.form.machineFolder.setProperty("fileName", str(tmp_path))
+    page.saveSettings()
+    assert kept() == pytest.approx(OTHERS)
+    assert preferences.machine_folder() == tmp_path
+    again = PreferencePage()
+    again.loadSettings()
+    again.saveSettings()
+    assert kept() == pytest.approx(OTHERS)
+
+
+def test_every_widget_has_a_tooltip(page):
+    assert all(getattr(page.form, widget).toolTip() for widget in WIDGETS.values())
+
+
+def test_operation_is_registered_with_the_workbench():
+    pump()
+    assert operation.NAME in PathSetupSheet._RegisteredOps
