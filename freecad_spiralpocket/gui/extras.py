@@ -13,6 +13,7 @@ from typing import Any, Protocol
 
 from .outlook import Outlook
 from .preview import Preview
+from .resultbox import ResultBox
 
 
 class Extra(Protocol):
@@ -38,4 +39,4 @@ class Extra(Protocol):
 
 
 #: From the top to the bottom; each is called with the page.
-FACTORIES: list[Callable[[Any], Extra]] = [Outlook.of, Preview]
+FACTORIES: list[Callable[[Any], Extra]] = [Outlook.of, Preview, ResultBox]

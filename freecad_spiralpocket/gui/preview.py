@@ -60,6 +60,10 @@ class Preview:
             height = request.heights.start_depth - request.floor
             self._scene.place_cutter(point, request.cutter_radius, height)
 
+    def mark(self, place: tuple[float, float, float], radius: float) -> None:
+        """Set the cutter on a place [mm]."""
+        self._scene.place_cutter(np.array(place), radius, radius)
+
     def _update(self) -> None:
         """Draw what the outlook holds."""
         pockets = self._outlook.pockets

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The result box: figures of the path that is foreseen or made, and remarks to click on.
+
+A click on a remark that has a place brings the view there and sets the cutter on it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from .outlook import Outlook
+from .resultfigures import Place, Remark, figures_of, is_applied, remarks_of
+from .zoom import zoom_to
+
+translate = FreeCAD.Qt.translate
+
+#: Height of the list in lines at most, and how much of the part a zoom shows, in cutters.
+MOST_LINES, SHOWN = 7, 5.0
+
+
+class ResultBox:
+    """An extra of the panel."""
+
+    def __init__(self, page: Any) -> None:
+        self._page, self._obj = page, page.obj
+        self._outlook = Outlook.of(page)
+        self._remarks: list[Remark] = []
+        page.form.result.hide()  # the same in fewer words
+        self.box = QtGui.QGroupBox(translate("SpiralPocket", "Result"))
+        self.box.setObjectName("SpiralPocketResultBox")
+        self._state = QtGui.QLabel()
+        self._state.setWordWrap(True)
+        self.figures = QtGui.QGridLayout()
+        self.figures.setColumnStretch(1, 1)
+        self.list = QtGui.QListWidget()
+        self.list.setWordWrap(True)
+        self.list.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
+        self.list.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        self.list.itemClicked.connect(self._clicked)
+        self.buttons = QtGui.QHBoxLayout()
+        layout = QtGui.QVBoxLayout(self.box)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.addWidget(self._state)
+        layout.addLayout(self.figures)
+        layout.addWidget(self.list)
+        layout.addLayout(self.buttons)
+        self._shown: Any = None
+        self._outlook.listeners.append(self._update)
+        page.result_box = self
+
+    def widget(self) -> Any:
+        """Return the box."""
+        return self.box
+
+    def changed(self) -> None:
+        """Wait for the outlook; what stands here is out of date."""
+        self.box.setEnabled(False)
+
+    def computed(self) -> None:
+        """Say whether the path was made."""
+        self._shown = None
+        self._update()
+
+    def close(self) -> None:
+        """Forget the page."""
+        self._remarks = []
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """Return the figures by their names, as they are shown."""
+        rows = range(self.figures.rowCount())
+        cells = [[self.figures.itemAtPosition(row, column) for column in (0, 1)] for row in rows]
+        return {a.widget().text(): b.widget().text() for a, b in cells if a and b}
+
+    def _update(self) -> None:
+        """Show what is known by now, if it is something else."""
+        plans = self._outlook.plans
+        applied = is_applied(self._obj, plans)
+        remarks = remarks_of(self._obj, self._outlook)
+        state = self._state_of(bool(plans), applied, bool(remarks))
+        shown = ([id(p) for p in plans], state, remarks)
+        self.box.setEnabled(True)
+        if shown == self._shown:
+            return
+        self._shown = shown
+        self._state.setText(state)
+        self._show_figures(figures_of(self._obj, plans) if plans else [])
+        self._show_remarks(remarks)
+
+    def _state_of(self, planned: bool, applied: bool, told: bool) -> str:
+        if applied:
+            return translate("SpiralPocket", "The operation has this path.")
+        if planned:
+            return translate("SpiralPocket", "OK or Apply makes this path.")
+        if self._outlook.is_settled and told:
+            return translate("SpiralPocket", "There is no path.")
+        return translate("SpiralPocket", "Not known yet.")
+
+    def _show_figures(self, figures: list[tuple[str, str]]) -> None:
+        while self.figures.count():
+            self.figures.takeAt(0).widget().deleteLater()
+        for row, (name, value) in enumerate(figures):
+            label = QtGui.QLabel(value)
+            label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+            label.setAlignment(QtCore.Qt.AlignRight)
+            self.figures.addWidget(QtGui.QLabel(name), row, 0)
+            self.figures.addWidget(label, row, 1)
+
+    def _show_remarks(self, remarks: list[Remark]) -> None:
+        self._remarks = remarks
+        self.list.clear()
+        warning = self.list.style().standardIcon(QtGui.QStyle.SP_MessageBoxWarning)
+        for remark in remarks:
+            item = QtGui.QListWidgetItem(warning, remark.text)
+            if remark.place is not None:
+                item.setToolTip(translate("SpiralPocket", "Click to see the place"))
+            self.list.addItem(item)
+        self.list.setVisible(bool(remarks))
+        height = self.list.fontMetrics().height()
+        self.list.setFixedHeight(height * min(MOST_LINES, 1 + 3 * len(remarks)))
+
+    def _clicked(self, item: Any) -> None:
+        place = self._remarks[self.list.row(item)].place
+        if place is not None:
+            self.show_place(place)
+
+    def show_place(self, place: Place) -> None:
+        """Bring the view to a place and set the cutter on it."""
+        radius = self._outlook.pockets[0].request.cutter_radius
+        view = FreeCADGui.getDocument(self._obj.Document.Name).ActiveView
+        if hasattr(view, "getCameraNode"):
+            zoom_to(view, place, 2 * SHOWN * radius)
+        self._page.preview.mark(place, radius)

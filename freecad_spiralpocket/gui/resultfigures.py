@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The figures of planned pockets together, and remarks with their places."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import FreeCAD
+import numpy as np
+import Path
+
+from ..engine.errors import SpiralPocketError
+from ..engine.model import Notice, Plan
+from ..op import commands, request, results
+from .resulttext import duration, small
+
+if TYPE_CHECKING:
+    from .outlook import Outlook
+
+translate = FreeCAD.Qt.translate
+
+Place = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Remark:
+    """Something the machinist should know, and where it is, (x, y, z) [mm]."""
+
+    text: str
+    place: Place | None = None
+
+
+def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
+    """Return name and value of each figure, as they stand in the result box."""
+    reports = [p.report for p in plans]
+    lengths = np.array([r.cut_length for r in reports])
+    mean = np.average([r.engagement_mean for r in reports], weights=np.maximum(lengths, 1e-9))
+    timed = request.has_feeds(obj.ToolController)
+    machine = request.machine(obj.Machine).name
+    length = FreeCAD.Units.Quantity(float(lengths.sum()), FreeCAD.Units.Length).UserString
+    return [
+        (
+            translate("SpiralPocket", "Time on {}").format(machine),
+            duration(results.machining_time(plans) if timed else 0.0),
+        ),
+        (
+            translate("SpiralPocket", "FreeCAD's estimate"),
+            duration(naive_time(obj.ToolController, plans) if timed else 0.0),
+        ),
+        (translate("SpiralPocket", "Cutting length"), length),
+        (
+            translate("SpiralPocket", "Largest engagement"),
+            translate("SpiralPocket", "{:.0f}°, limit {:.0f}°").format(
+                np.degrees(max(r.engagement_max for r in reports)),
+                np.degrees(max(r.engagement_limit for r in reports)),
+            ),
+        ),
+        (translate("SpiralPocket", "Mean engagement"), f"{np.degrees(mean):.0f}°"),
+        (
+            translate("SpiralPocket", "Left uncut"),
+            small(sum(r.uncut_area for r in reports), power=2),
+        ),
+        (translate("SpiralPocket", "Gouge"), small(max(r.gouge for r in reports))),
+    ]
+
+
+def naive_time(tool_controller: Any, plans: Sequence[Plan]) -> float:
+    """Return FreeCAD's own estimate of the time [s]: one feed, no acceleration."""
+    moves = commands.join(commands.from_toolpath(p.toolpath) for p in plans)
+    names = ("HorizFeed", "VertFeed", "HorizRapid", "VertRapid")
+    return float(Path.Path(moves).getCycleTime(*(getattr(tool_controller, n).Value for n in names)))
+
+
+def is_applied(obj: Any, plans: Sequence[Plan]) -> bool:
+    """Return whether the operation's path is the one of these plans."""
+    made = obj.Proxy.plans
+    return bool(plans) and len(made) == len(plans) and all(map(_is_same, made, plans))
+
+
+def remarks_of(obj: Any, outlook: Outlook) -> list[Remark]:
+    """Return what is to be told of the path, or why there is none."""
+    known: list[tuple[Notice | SpiralPocketError, float]] = []
+    for pocket in outlook.pockets:
+        drawn = pocket.drawn
+        found = [pocket.error] if pocket.error else drawn.plan.report.notices if drawn else ()
+        known += [(notice, pocket.request.heights.start_depth) for notice in found]
+    if is_applied(obj, outlook.plans):
+        return [Remark(text, _place_in(text, known)) for text in obj.Notices]
+    remarks = [Remark(str(problem)) for problem in outlook.problems]
+    remarks += [Remark(str(notice), _place(notice, z)) for notice, z in known]
+    return list(dict.fromkeys(remarks))
+
+
+def _is_same(one: Plan, other: Plan) -> bool:
+    return one is other or one.request == other.request
+
+
+def _place(notice: Notice | SpiralPocketError, z: float) -> Place | None:
+    return None if notice.place is None else (*notice.place, z)
+
+
+def _place_in(text: str, known: Sequence[tuple[Notice | SpiralPocketError, float]]) -> Place | None:
+    """Return the place of the notice whose words are in a text."""
+    return next((_place(n, z) for n, z in known if str(n) in text), None)

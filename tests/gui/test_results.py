@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The result box tells the figures of the path on show, and brings one to what it remarks."""
+
+import FreeCADGui
+import numpy as np
+import Part
+import pytest
+from conftest import DEPTH, add_job, floors
+from FreeCAD import Vector
+from pivy import coin
+from window import (
+    APPLY,
+    CANCEL,
+    edit,
+    panel,
+    pixels_that_differ,
+    press,
+    press_toolbar_button,
+    screenshot,
+    select,
+    wait_for,
+    widget,
+)
+
+from freecad_spiralpocket.gui.resulttext import duration
+
+
+def page():
+    """Return the open panel's own page."""
+    return panel().operation_page
+
+
+def settle():
+    """Wait until everything is proved."""
+    wait_for(lambda: page().outlook.is_settled, 60)
+
+
+def state():
+    """Return what the box says of its figures."""
+    return page().result_box._state.text()
+
+
+@pytest.fixture
+def opened(job, floor):
+    """Return a new operation with its panel open and its path proved."""
+    select(floor)
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    settle()
+    return job.Operations.Group[0]
+
+
+def test_figures_are_there_before_and_after_apply(opened):
+    before = page().result_box.texts
+    assert "makes this path" in state()
+    press(APPLY)
+    settle()
+    assert "has this path" in state()
+    assert page().result_box.texts == before
+    assert duration(opened.MachiningTime) in before.values()
+    assert opened.PathLength.UserString in before.values()
+    engagement = next(v for k, v in before.items() if k == "Largest engagement")
+    assert engagement.startswith(f"{opened.LargestEngagement.Value:.0f}°")
+
+
+def test_freecads_estimate_is_its_own(opened):
+    press(APPLY)
+    settle()
+    tool = opened.ToolController
+    seconds = opened.Path.getCycleTime(
+        tool.HorizFeed.Value, tool.VertFeed.Value, tool.HorizRapid.Value, tool.VertRapid.Value
+    )
+    shown = page().result_box.texts["FreeCAD's estimate"]
+    assert abs(int(shown.split()[0]) - seconds) < 2
+
+
+def test_a_change_greys_the_figures_until_they_hold_again(opened):
+    widget("stepOverPercent").setValue(21)
+    assert not page().result_box.box.isEnabled()
+    settle()
+    assert page().result_box.box.isEnabled()
+    assert "makes this path" in state()
+
+
+def test_reopened_panel_shows_the_figures(opened):
+    press(APPLY)
+    settle()
+    texts = page().result_box.texts
+    panel().accept()
+    wait_for(lambda: not FreeCADGui.Control.activeDialog())
+    edit(opened)
+    settle()
+    assert page().result_box.texts == texts
+    assert "has this path" in state()
+    press(CANCEL)
+
+
+@pytest.fixture
+def narrow(doc):
+    """Return a job for a plate whose pocket has a room behind a neck too narrow for the cutter."""
+    rooms = [Part.makeBox(30, 24, 9, Vector(*at, -DEPTH)) for at in ((6, 6), (42, 6))]
+    neck = Part.makeBox(20, 4, 9, Vector(30, 16, -DEPTH))
+    pocket = rooms[0].fuse(rooms[1]).fuse(neck).removeSplitter()
+    job = add_job(doc, Part.makeBox(78, 36, 12, Vector(0, 0, -12)).cut(pocket), 6.0)
+    return job, doc.getObject("Part")
+
+
+def test_click_on_a_remark_brings_the_view_to_its_place(narrow):
+    _, part = narrow
+    select((part, floors(part, -DEPTH)[0]))
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    settle()
+    box = page().result_box
+    places = [i for i, r in enumerate(box._remarks) if r.place is not None]
+    assert places and "neck" in box._remarks[places[0]].text
+    before = screenshot()
+    box.list.itemClicked.emit(box.list.item(places[0]))
+    assert pixels_that_differ(before, screenshot()) > 1000
+    camera = FreeCADGui.getDocument(part.Document.Name).ActiveView.getCameraNode()
+    ahead = np.array(camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1)).getValue())
+    eye = np.array(camera.position.getValue().getValue())
+    away = np.array(box._remarks[places[0]].place) - eye
+    assert np.linalg.norm(np.cross(away, ahead)) < 0.1
+    press(CANCEL)
+
+
+def test_no_face_no_path(job):
+    select()
+    press_toolbar_button()
+    settle()
+    assert "no path" in state().lower()
+    assert any("No face" in r.text for r in page().result_box._remarks)
+    press(CANCEL)
