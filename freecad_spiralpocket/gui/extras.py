@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from .outlook import Outlook
+from .plots import Plots
 from .preview import Preview
 from .resultbox import ResultBox
 
@@ -39,4 +40,4 @@ class Extra(Protocol):
 
 
 #: From the top to the bottom; each is called with the page.
-FACTORIES: list[Callable[[Any], Extra]] = [Outlook.of, Preview, ResultBox]
+FACTORIES: list[Callable[[Any], Extra]] = [Outlook.of, Preview, ResultBox, Plots]

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A dock with plots along the time: engagement, feed, velocity, force.
+
+A line follows the mouse through all of them while the cutter stands on the part where
+it is at that time. The dock belongs to the panel and goes with it. Drawn by matplotlib,
+FreeCAD's own; imported when the dock opens.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from PySide import QtCore, QtGui
+
+from ..engine.errors import SetupError
+from .plotdata import MATERIAL, Curves
+
+translate = FreeCAD.Qt.translate
+
+NAME = "SpiralPocketPlots"
+LINE, SECOND, LIMIT = "#3b8ee0", "#e08a2e", "#d9432f"
+HEIGHT = 420  # pixels, when it opens
+
+
+class PlotDock:
+    """The dock.
+
+    Parameters
+    ----------
+    hovered : callable
+        Called with the time under the mouse [s], None when it leaves the plots.
+
+    Raises
+    ------
+    SetupError
+        If matplotlib is missing.
+    """
+
+    def __init__(self, hovered: Callable[[float | None], None]) -> None:
+        try:
+            from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+            from matplotlib.figure import Figure
+        except ImportError as error:
+            raise SetupError(
+                translate("SpiralPocket", "Plots need the Python library matplotlib."),
+                translate("SpiralPocket", "Install it with the Addon Manager or pip."),
+            ) from error
+        self._hovered = hovered
+        self._curves: Curves | None = None
+        self._background: Any = None
+        self._figure = Figure(layout="constrained")
+        self.canvas = FigureCanvasQTAgg(self._figure)
+        self.dock = QtGui.QDockWidget(
+            translate("SpiralPocket", "Spiral Pocket plots"), FreeCADGui.getMainWindow()
+        )
+        self.dock.setObjectName(NAME)
+        self.dock.setWidget(self.canvas)
+        self.canvas.setMinimumHeight(HEIGHT // 2)
+        self.canvas.mpl_connect("draw_event", self._drawn)
+        self.canvas.mpl_connect("motion_notify_event", self._moved)
+        self.canvas.mpl_connect("axes_leave_event", lambda event: self.point_at(None))
+        FreeCADGui.getMainWindow().addDockWidget(QtCore.Qt.BottomDockWidgetArea, self.dock)
+
+    def show(self, curves: Curves | None) -> None:
+        """Draw curves, or nothing."""
+        self._curves = curves
+        self._figure.clear()
+        text, background = (
+            self.dock.palette().color(role).name()
+            for role in (QtGui.QPalette.WindowText, QtGui.QPalette.Window)
+        )
+        self._figure.set_facecolor(background)
+        self._lines: list[Any] = []
+        self._note: Any = None
+        if curves is not None:
+            self._plot(curves, text, background)
+        self._background = None
+        self.canvas.draw_idle()
+
+    def close(self) -> None:
+        """Take the dock away."""
+        self._hovered = lambda seconds: None
+        FreeCADGui.getMainWindow().removeDockWidget(self.dock)
+        self.dock.setParent(None)
+        self.dock.deleteLater()
+
+    def point_at(self, seconds: float | None) -> None:
+        """Move the line to a time, and the cutter."""
+        self._hovered(seconds)
+        if self._background is None or self._curves is None:
+            return
+        self.canvas.restore_region(self._background)
+        if seconds is not None:
+            for line in self._lines:
+                line.set_xdata([seconds, seconds])
+                line.axes.draw_artist(line)
+            self._note.set_text(self._values_at(seconds))
+            self._note.axes.draw_artist(self._note)
+        self.canvas.blit(self._figure.bbox)
+
+    def _plot(self, curves: Curves, text: str, background: str) -> None:
+        rows = [
+            (translate("SpiralPocket", "engagement [°]"), curves.engagement),
+            (translate("SpiralPocket", "feed [mm/min]"), curves.feed),
+            (translate("SpiralPocket", "velocity [mm/min]"), curves.velocity),
+        ]
+        if curves.force is not None:
+            rows.append((translate("SpiralPocket", "force [N]"), curves.force))
+        all_axes = self._figure.subplots(len(rows), 1, sharex=True, squeeze=False)[:, 0]
+        for axes, (label, values) in zip(all_axes, rows, strict=True):
+            axes.plot(curves.clock, values, color=LINE, lw=0.8)
+            axes.set_facecolor(background)
+            axes.set_ylabel(label, color=text, fontsize="small")
+            axes.tick_params(colors=text, labelsize="small")
+            axes.grid(color=text, alpha=0.15)
+            axes.set_ylim(0, None)
+            for side in axes.spines.values():
+                side.set_color(text)
+                side.set_alpha(0.4)
+            self._lines.append(axes.axvline(0, color=SECOND, lw=1, animated=True))
+        all_axes[0].axhline(curves.limit, color=LIMIT, lw=1, ls="--")
+        all_axes[0].set_ylim(0, 185)
+        all_axes[-1].set_xlim(0, float(curves.clock[-1]))
+        name = translate("SpiralPocket", "time [s]")
+        if curves.force is not None:
+            name += translate("SpiralPocket", "; force in {}").format(MATERIAL)
+        else:
+            name += translate("SpiralPocket", "; the tool controller has no spindle speed")
+        all_axes[-1].set_xlabel(name, color=text, fontsize="small")
+        self._note = all_axes[0].text(
+            0.995, 0.93, "", transform=all_axes[0].transAxes, color=text, animated=True,
+            ha="right", va="top", fontsize="small",
+            bbox={"facecolor": background, "edgecolor": "none", "alpha": 0.85},
+        )  # fmt: skip
+
+    def _values_at(self, seconds: float) -> str:
+        """Return the values at a time, as they are written beside the line."""
+        curves = self._curves
+        assert curves is not None
+        at = min(int(np.searchsorted(curves.clock, seconds)), len(curves.clock) - 1)
+        texts = [f"{seconds:.1f} s", f"{curves.engagement[at]:.0f}°"]
+        texts.append(f"{curves.velocity[at]:.0f} mm/min")
+        if curves.force is not None:
+            texts.append(f"{curves.force[at]:.0f} N")
+        return "   ".join(texts)
+
+    def _drawn(self, event: Any) -> None:
+        """Keep the picture without the line, to draw it on."""
+        self._background = self.canvas.copy_from_bbox(self._figure.bbox)
+
+    def _moved(self, event: Any) -> None:
+        if event.inaxes is not None and self._curves is not None:
+            self.point_at(float(np.clip(event.xdata, 0.0, self._curves.clock[-1])))

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The plots follow the path on show, and the mouse finds the place on the part."""
+
+import sys
+
+import FreeCADGui
+import numpy as np
+import pytest
+from PySide import QtGui
+from window import (
+    CANCEL,
+    answered,
+    main_window,
+    panel,
+    pixels_that_differ,
+    press,
+    press_toolbar_button,
+    pump,
+    screenshot,
+    select,
+    wait_for,
+    widget,
+)
+
+from freecad_spiralpocket.gui.plotdata import curves_of
+from freecad_spiralpocket.gui.plotdock import NAME
+
+
+def page():
+    """Return the open panel's own page."""
+    return panel().operation_page
+
+
+def docks():
+    """Return the docks with plots."""
+    return main_window().findChildren(QtGui.QDockWidget, NAME)
+
+
+@pytest.fixture
+def opened(job, floor):
+    """Return a new operation with its panel open and its path proved."""
+    job.Tools.Group[0].SpindleSpeed = 12000
+    select(floor)
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    wait_for(lambda: page().outlook.is_settled, 60)
+    return job.Operations.Group[0]
+
+
+def test_curves_are_the_plans(opened):
+    (drawn,) = [p.drawn for p in page().outlook.pockets]
+    curves = curves_of([drawn, drawn], opened.ToolController)
+    assert curves.clock[-1] == pytest.approx(2 * drawn.plan.report.time)
+    assert (np.diff(curves.clock) >= 0).all()
+    assert curves.engagement.max() <= 180 and curves.force.max() > 1
+    assert np.nanmedian(curves.feed) == pytest.approx(1500)
+    assert 1400 < curves.velocity.max() < 5001
+    opened.ToolController.SpindleSpeed = 0
+    assert curves_of([drawn], opened.ToolController).force is None
+    press(CANCEL)
+
+
+def test_hovering_puts_the_cutter_on_the_part(opened):
+    pytest.importorskip("matplotlib")
+    page().plots.button.setChecked(True)
+    pump(0.5)
+    dock = page().plots.dock
+    assert len(docks()) == 1 and len(dock._figure.axes) == 4
+    before = screenshot()
+    dock.point_at(dock._curves.clock[-1] / 2)
+    assert pixels_that_differ(before, screenshot()) > 200
+    dock.point_at(None)
+    assert pixels_that_differ(before, screenshot()) < 50
+    press(CANCEL)
+    pump()
+    assert not docks()
+
+
+def test_plots_follow_a_change(opened):
+    pytest.importorskip("matplotlib")
+    page().plots.button.setChecked(True)
+    first = page().plots.dock._curves
+    widget("stepOverPercent").setValue(30)
+    wait_for(lambda: page().outlook.is_settled, 60)
+    assert page().plots.dock._curves.clock[-1] > first.clock[-1]
+    page().plots.button.setChecked(False)
+    pump()
+    assert not docks()
+    press(CANCEL)
+
+
+def test_missing_matplotlib_is_said(opened, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib.backends.backend_qtagg", None)
+    with answered() as answer:
+        page().plots.button.setChecked(True)
+    assert len(answer.texts) == 1 and "matplotlib" in answer.texts[0]
+    assert not page().plots.button.isChecked() and not docks()
+    press(CANCEL)
