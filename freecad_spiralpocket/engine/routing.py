@@ -35,7 +35,7 @@ def route(
     radius: float,
 ) -> Floats | None:
     """Return a smooth way through free ground, shape (n, 2) [mm]; None if there is none."""
-    way = _shortest(start, end, cleared)
+    way = shortest_way(start, end, cleared)
     if way is None:
         return None
     line = LineString(way)
@@ -63,7 +63,7 @@ def _clamped(controls: Floats, count: int) -> Floats:
     return BSpline(knots, controls, degree)(np.linspace(0, 1, count))
 
 
-def _shortest(start: Floats, end: Floats, cleared: ClearedMap) -> Floats | None:
+def shortest_way(start: Floats, end: Floats, cleared: ClearedMap) -> Floats | None:
     """Return the shortest way over the coarse grid, its ends replaced by the exact ones."""
     free = cleared.near
     rows, columns = (n // COARSE for n in free.shape)

@@ -136,12 +136,24 @@ def peel(axis: Skeleton, share: float) -> list[tuple[int, int]]:
 
 def longest_path(axis: Skeleton, edges: list[tuple[int, int]]) -> Floats:
     """Return the longest shortest path along `edges`, shape (k, 2) [mm]; empty if there is none."""
+    return axis.nodes[longest_route(axis, np.array(edges, np.intp).reshape(-1, 2))]
+
+
+def longest_route(axis: Skeleton, edges: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Return the nodes along the longest shortest path; empty if there are no edges.
+
+    Parameters
+    ----------
+    axis : Skeleton
+    edges : ndarray of int, shape (m, 2)
+        Connected.
+    """
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import dijkstra
 
-    if not edges:
-        return np.empty((0, 2))
-    used, index = np.unique(np.array(edges), return_inverse=True)
+    if len(edges) == 0:
+        return np.empty(0, np.intp)
+    used, index = np.unique(edges, return_inverse=True)
     index = index.reshape(-1, 2)
     nodes = axis.nodes[used]
     weights = np.hypot(*(nodes[index[:, 0]] - nodes[index[:, 1]]).T)
@@ -157,4 +169,4 @@ def longest_path(axis: Skeleton, edges: list[tuple[int, int]]) -> Floats:
     path = [other]
     while path[-1] != one:
         path.append(int(before[path[-1]]))
-    return nodes[path]
+    return np.asarray(used[path])

@@ -153,11 +153,27 @@ def _has_loop(edges: list[tuple[int, int]]) -> bool:
 
 def _curve(region: Polygon, spine: shapely.Geometry, request: PocketRequest) -> Start | None:
     for half in HALF_WIDTHS:
-        shape = buffer(spine, half * request.tool_diameter)
-        for rounding in ROUNDINGS:
-            visited = _rounded(shape, region, rounding * request.cutter_radius)
-            if leaves_no_post(visited, request):
-                return _slot_start("curve", visited, region, request)
+        start = slot_round(region, buffer(spine, half * request.tool_diameter), request)
+        if start is not None:
+            return start
+    return None
+
+
+def slot_round(region: Polygon, shape: Polygon, request: PocketRequest) -> Start | None:
+    """Return the start that opens a shape by going round it; None if a post remains in it.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        The cutter-center region.
+    shape : shapely.Polygon
+        Nowhere wider than the cutter clears from its edge.
+    request : PocketRequest
+    """
+    for rounding in ROUNDINGS:
+        visited = _rounded(shape, region, rounding * request.cutter_radius)
+        if leaves_no_post(visited, request):
+            return _slot_start("curve", visited, region, request)
     return None
 
 

@@ -97,7 +97,7 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
             "Take a wider cutter or a larger step-over.",
         )
     start, steps = best
-    return FloorPath(start.entry, _passes(steps, request))
+    return FloorPath(start.entry, passes_of(steps, request))
 
 
 def rules_of(request: PocketRequest) -> FrontRules:
@@ -209,7 +209,8 @@ def _cut_seconds(strokes: list[Stroke], motion: Motion) -> float:
     return sum(LineString(s.points).length for s in strokes) / motion.cut_feed
 
 
-def _passes(steps: list[Step], request: PocketRequest) -> tuple[Pass, ...]:
+def passes_of(steps: list[Step], request: PocketRequest) -> tuple[Pass, ...]:
+    """Return the passes of runs, with the links or lifts between them."""
     slack = SLIM * request.tolerance
     passes = []
     for step in steps:

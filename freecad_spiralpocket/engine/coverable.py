@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which piece of the medial axis is the best center of a spiral [EAS07, section 3].
+
+FindingMaximalCoverableArea: the axis with its clearance as height is sliced at the
+offsets that laps of even spacing reach. Of each slice that is left above, the longest
+path of every connected part is a candidate; a spiral about it may unwind to the height
+of the slice without touching a wall. The one that covers most is taken, what its spiral
+covers is marked on the axis, which is never computed again, and so on.
+
+The paper measures z * length. Here it is ``2 z length + pi z^2``, the area within z of
+the piece: a point then counts for its disc, and a square gets one spiral about its
+middle instead of one along a diagonal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d
+from shapely import LineString, Point, Polygon
+
+from .model import Floats
+from .polyline import points_at
+from .skeleton import Skeleton, longest_route
+
+#: Centers are smoothed over these lengths, over R: the first that costs no lap.
+SMOOTHINGS = (1.0, 0.4, 0.15, 0.0)
+#: A center shorter than this, over R, is a point.
+POINT = 1.0
+#: A piece that covers less than this share of the region, or takes fewer laps, is left to what
+#: follows the spirals.
+LEAST_SHARE, FEWEST = 0.06, 3
+#: A channel is longer than this over its greatest half width; it is worth opening without laps.
+SLIM = 3.0
+#: Centers keep off each other by this, over R, so that what is opened about them does not merge.
+APART = 3.2
+#: Slices below the first lap, over the half width of the opened center: narrow channels.
+NARROW = (0.15, 0.5, 0.9)
+#: Points of a center are this far apart [mm].
+SPACING = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Center:
+    """A curve or a point about which a spiral runs.
+
+    Attributes
+    ----------
+    curve : shapely.LineString or shapely.Point
+    laps : int
+        So many fit between its opening and the walls.
+    nodes : ndarray of int
+        Of the axis along it.
+    """
+
+    curve: LineString | Point
+    laps: int
+    nodes: NDArray[np.intp]
+
+
+def maximal_centers(
+    region: Polygon, axis: Skeleton, half_width: float, stepover: float, radius: float
+) -> list[Center]:
+    """Return the centers of spirals, each time the one that covers most of what is left.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        The cutter-center region.
+    axis : Skeleton
+        Its medial axis.
+    half_width : float
+        The centers are opened this wide to both sides [mm].
+    stepover : float
+        b, the spacing of laps [mm].
+    radius : float
+        R [mm].
+    """
+    left = np.ones(len(axis.nodes), bool)
+    centers: list[Center] = []
+    points = shapely.points(axis.nodes)
+    rest = shapely.simplify(region, 0.1)
+    offsets = _offsets(axis, half_width, stepover)
+    while left.any():
+        found = _maximal(axis, left, offsets)
+        if found is None:
+            break
+        nodes, offset = found
+        center = _center(region, axis, nodes, half_width, stepover, radius)
+        reach = max(half_width + center.laps * stepover, offset, APART * radius)
+        shape = shapely.intersection(shapely.buffer(center.curve, reach, quad_segs=8), rest)
+        if not centers or _is_worth_it(axis, center, shape.area / region.area):
+            centers.append(center)
+            rest = shapely.difference(rest, shape)
+        left &= ~shapely.dwithin(center.curve, points, reach)
+        left[nodes] = False
+    return centers
+
+
+def _offsets(axis: Skeleton, half_width: float, stepover: float) -> Floats:
+    """Return the heights of the slices, highest first [mm]."""
+    most = float(axis.clearance.max())
+    laps = np.arange(int(max(0.0, most - half_width) / stepover + 1e-9), -1, -1)
+    offsets = np.concatenate([half_width + laps * stepover, half_width * np.array(NARROW[::-1])])
+    return offsets[offsets < most]
+
+
+def _maximal(
+    axis: Skeleton, left: NDArray[np.bool_], offsets: Floats
+) -> tuple[NDArray[np.intp], float] | None:
+    """Return the nodes along the piece that covers most, and the height of its slice."""
+    best, most = None, 0.0
+    for offset in offsets:
+        for nodes, edges, total in _parts(axis, left & (axis.clearance >= offset)):
+            # no path in it is longer than all of it
+            if 2 * offset * total + np.pi * offset**2 <= most:
+                continue
+            path = longest_route(axis, edges) if len(edges) else nodes[:1]
+            area = 2 * offset * _length(axis.nodes[path]) + np.pi * offset**2
+            if area > most:
+                best, most = (path, float(offset)), area
+    return best
+
+
+def _parts(
+    axis: Skeleton, mask: NDArray[np.bool_]
+) -> Iterator[tuple[NDArray[np.intp], NDArray[np.intp], float]]:
+    """Yield nodes, edges and length [mm] of each connected part of the axis within `mask`."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    edges = axis.edges[mask[axis.edges].all(axis=1)]
+    n = len(mask)
+    graph = coo_array((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(n, n))
+    _, label = connected_components(graph.tocsr(), directed=False)
+    steps = np.hypot(*(axis.nodes[edges[:, 0]] - axis.nodes[edges[:, 1]]).T)
+    totals = np.bincount(label[edges[:, 0]], steps, minlength=int(label.max()) + 1)
+    for part in np.unique(label[mask]):
+        yield (
+            np.flatnonzero(mask & (label == part)),
+            edges[label[edges[:, 0]] == part],
+            float(totals[part]),
+        )
+
+
+def _center(
+    region: Polygon,
+    axis: Skeleton,
+    nodes: NDArray[np.intp],
+    half_width: float,
+    stepover: float,
+    radius: float,
+) -> Center:
+    """Return the center along nodes, as smooth as it can be without costing a lap."""
+
+    def laps_about(curve: LineString | Point) -> int:
+        room = float(shapely.distance(curve, region.boundary)) - half_width
+        return max(0, int(room / stepover + 1e-6))
+
+    widest = nodes[int(np.argmax(axis.clearance[nodes]))]
+    if _length(axis.nodes[nodes]) < POINT * radius:
+        place = Point(axis.nodes[widest])
+        return Center(place, laps_about(place), nodes)
+    raw = LineString(axis.nodes[nodes])
+    wanted = laps_about(raw)
+    for smoothing in SMOOTHINGS:
+        curve = _smoothed(raw, smoothing * radius)
+        if laps_about(curve) >= wanted:
+            break
+    return Center(curve, laps_about(curve), nodes)
+
+
+def _smoothed(raw: LineString, width: float) -> LineString:
+    """Return a line smoothed over `width` [mm]."""
+    if width == 0:
+        return raw
+    count = max(4, int(raw.length / SPACING))
+    points = points_at(raw, np.linspace(0.0, raw.length, count))
+    sigma = width * count / raw.length
+    return LineString(gaussian_filter1d(points, sigma, axis=0, mode="nearest"))
+
+
+def _is_worth_it(axis: Skeleton, center: Center, share: float) -> bool:
+    """Return whether a piece is worth a spiral or an opening: neither corner nor margin."""
+    length = _length(axis.nodes[center.nodes])
+    slim = length > SLIM * float(axis.clearance[center.nodes].max())
+    return slim or (center.laps >= FEWEST and share > LEAST_SHARE)
+
+
+def _length(points: Floats) -> float:
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())

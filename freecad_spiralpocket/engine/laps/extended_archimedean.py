@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Extended Archimedean: spirals about pieces of the medial axis, joined by clothoids [EAS07].
+
+1. The pieces that cover most become the centers of spirals (coverable.py).
+2. All centers are opened at once, by a slot in shallow levels along the medial axis that joins
+   them (openings.py, joints.py): the paper cuts them full wide at the full depth.
+3. Spirals of even spacing b unwind about them until they would meet a wall (archimedean.py), in
+   the order of a shortest walk over the joints, linked by clothoids through cleared
+   ground (clothoid_links.py); where none fits by the routes of Automatic, or a lift.
+4. What is left, corners and the margin between spirals and walls, is taken by laps and strokes
+   parallel to the edge of what is cleared, up to the wall (fronts.py): closed laps
+   go on as one spiral, open strokes leave and meet the walls tangentially.
+
+Islands are obstacles like walls. In spirals of even spacing the engagement is a little above that
+of a straight cut; the report says how far.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+import shapely
+from shapely import LineString, Polygon
+
+from ..archimedean import Spiral, bend_at, spiral_about
+from ..cleared import ClearedMap
+from ..clothoid_links import Place, clothoid_link, clothoid_way
+from ..clothoids import ClothoidPath
+from ..errors import NotYetError
+from ..floor import FloorPath
+from ..fronts import MAX_FRONTS, grow, largest, oriented
+from ..joints import walk_over
+from ..model import Floats, PocketRequest, Tick
+from ..openings import Opening, open_centers
+from ..ordering import SLACK, Step, order, runs_of
+from ..polyline import points_at
+from ..routing import route
+from ..skeleton import Skeleton, medial_axis
+from ..starts import Start
+from ..strokes import Stroke, strokes_of
+from .automatic import PIXELS, motion_of, passes_of, rules_of
+
+#: Places of a spiral's first lap where it may be begun.
+BEGINNINGS = 12
+#: So many of the nearest are tried along a longer way.
+ROUTED = 4
+#: A spiral whose first lap passes this near begins without a link [mm].
+TOUCHES = 0.05
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Layout:
+    """All that is cut after the entry.
+
+    Attributes
+    ----------
+    opening : Opening
+    spirals : tuple of Spiral
+        In the order in which they are cut.
+    links : tuple of ClothoidPath or None
+        The way to each; None where it is none or no clothoids.
+    steps : tuple of Step
+        The spirals' first, one each, then those of the laps and strokes that follow.
+    """
+
+    opening: Opening
+    spirals: tuple[Spiral, ...]
+    links: tuple[ClothoidPath | None, ...]
+    steps: tuple[Step, ...]
+
+
+def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
+    """Make the path of one cutter-center region.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        Counter-clockwise.
+    request : PocketRequest
+    tick : callable
+        See `model.Tick`.
+
+    Raises
+    ------
+    CutterDoesNotFitError
+        If there is no room to go down.
+    NotYetError
+        If the region is thousands of step-overs wide.
+    """
+    layout = lay(region, request, tick)
+    return FloorPath(layout.opening.start.entry, passes_of(list(layout.steps), request))
+
+
+def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
+    """Return the spirals of one cutter-center region, with their links and what follows them.
+
+    Parameters and errors are those of `floor_path`.
+    """
+    region = oriented(shapely.simplify(region, 0.001))
+    axis = medial_axis(region)
+    opening = open_centers(region, axis, request)
+    tick(0.2)
+    spirals = _in_order(opening, axis, request.cutting.stepover)
+    fronts, laps = [oriented(opening.start.visited)], []
+    for i, spiral in enumerate(spirals):
+        for within in spiral.within[1:]:
+            visited = largest(shapely.union(fronts[-1], within))
+            laps.append((i, Stroke(_ring(within), len(fronts), True, True)))
+            fronts.append(oriented(shapely.simplify(visited, 0.002)))
+    turns = len(fronts) - 1
+    grown = grow(fronts[-1], region, rules_of(request), partial(tick, 0.4))
+    if grown is None:
+        raise NotYetError(
+            f"More than {MAX_FRONTS} laps are left beside the spirals.",
+            "Take a wider cutter or a larger step-over.",
+        )
+    fronts += grown[1:]
+    rest = [replace(s, level=s.level + turns) for s in strokes_of(fronts[turns:])]
+    strokes = rest + [lap for _, lap in laps]
+    radius = request.cutter_radius
+    cleared = ClearedMap(fronts, strokes, region, (), radius, request.tool_diameter / PIXELS)
+    owners = [i for i, _ in laps]
+    freed = [
+        [len(rest) + k for k, owner in enumerate(owners) if owner == i] for i in range(len(spirals))
+    ]
+    steps, links = _linked(opening.start, spirals, freed, cleared, region, request)
+    tick(0.6)
+    here, heading = _end_of(steps, opening.start)
+    if rest:
+        runs = runs_of(rest, fronts, opening.start.ring, radius, request.cutting.stepover)
+        done, motion = partial(tick, 0.8), motion_of(request)
+        steps += order(runs, cleared, region, here, heading, motion, radius, done)
+    return Layout(opening, tuple(spirals), tuple(links), tuple(steps))
+
+
+def _in_order(opening: Opening, axis: Skeleton, stepover: float) -> list[Spiral]:
+    """Return the spirals about the centers that have room for laps, in a short order."""
+    centers = opening.centers
+    middles = np.array([shapely.get_coordinates(c.curve.centroid)[0] for c in centers])
+    turning = [i for i, c in enumerate(centers) if c.laps > 0]
+    order_ = walk_over(opening.joints, turning, middles, axis) if turning else []
+    return [spiral_about(centers[i], opening.half_width, stepover) for i in order_]
+
+
+def _ring(shape: Polygon) -> Floats:
+    """Return the outside of a polygon, its first point not repeated."""
+    return np.asarray(shape.exterior.coords)[:-1]
+
+
+def _linked(
+    start: Start,
+    spirals: list[Spiral],
+    freed: list[list[int]],
+    cleared: ClearedMap,
+    region: Polygon,
+    request: PocketRequest,
+) -> tuple[list[Step], list[ClothoidPath | None]]:
+    """Return the spirals with the ways to them, and those that are clothoids."""
+    fence = shapely.buffer(region, SLACK)
+    shapely.prepare(fence)
+    steps: list[Step] = []
+    links: list[ClothoidPath | None] = []
+    ring, at = start.ring, 0.0
+    for spiral, strokes in zip(spirals, freed, strict=True):
+        link, clothoids, begin = _way_to(spiral, ring, at, cleared, fence, request)
+        steps.append(Step(link, spiral.unwound(begin), -1))
+        links.append(clothoids)
+        for stroke in strokes:
+            cleared.finish(stroke)
+        ring, at = spiral.rings[-1], spiral.end_of(begin)
+    return steps, links
+
+
+def _way_to(
+    spiral: Spiral,
+    ring: LineString,
+    at: float,
+    cleared: ClearedMap,
+    fence: Polygon,
+    request: PocketRequest,
+) -> tuple[Floats | None, ClothoidPath | None, float]:
+    """Return the way from a place of a ring to a spiral, its clothoids, and where that begins."""
+    first = spiral.rings[0]
+    here = points_at(ring, np.array([at]))[0]
+    nearest = float(first.project(shapely.Point(here)))
+    if first.distance(shapely.Point(here)) < TOUCHES:
+        return np.empty((0, 2)), None, nearest
+    beginnings = (nearest + np.arange(BEGINNINGS) * first.length / BEGINNINGS) % first.length
+    radius, motion = request.cutter_radius, motion_of(request)
+    leave = Place(*bend_at(ring, at, radius))
+    arrive = [_beginning(spiral, float(b), radius) for b in beginnings]
+    found = clothoid_link(leave, arrive, cleared, fence, motion, radius, request.tolerance / 2)
+    if found is not None:
+        path, chosen = found
+        return path.sampled(request.tolerance / 2), path, float(beginnings[chosen])
+    near = np.argsort([np.hypot(*(p.point - here)) for p in arrive], kind="stable")[:ROUTED]
+    for i in near.tolist():
+        way = clothoid_way(leave, arrive[i], cleared, fence, radius, request.tolerance / 2)
+        if way is not None:
+            return way.sampled(request.tolerance / 2), way, float(beginnings[i])
+    for b, place in zip(beginnings, arrive, strict=True):
+        curve = route(here, _ahead(leave), place.point, _ahead(place), cleared, fence, radius)
+        if curve is not None:
+            return curve, None, float(b)
+    return None, None, nearest
+
+
+def _beginning(spiral: Spiral, at: float, radius: float) -> Place:
+    """Return where a spiral that begins at `at` on its first ring leaves that."""
+    point, heading, curvature = bend_at(spiral.rings[0], at, radius)
+    step = spiral.within[1].exterior.distance(shapely.Point(point))
+    return Place(point, heading - float(np.arctan2(step, spiral.rings[1].length)), curvature)
+
+
+def _ahead(place: Place) -> Floats:
+    return np.array([np.cos(place.heading), np.sin(place.heading)])
+
+
+def _end_of(steps: list[Step], start: Start) -> tuple[Floats, Floats]:
+    """Return where the spirals end and the unit direction there; of the entry if there are none."""
+    points = steps[-1].points[-2:] if steps else shapely.get_coordinates(start.ring)[:2]
+    ahead = points[1] - points[0]
+    return points[1] if steps else points[0], ahead / (np.hypot(*ahead) + 1e-12)

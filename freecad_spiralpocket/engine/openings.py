@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the centers of extended Archimedean spirals are opened.
+
+EAS07 cuts the center curves full wide at the full depth, and names a trochoid as the
+cure. Here one slot goes round all of them in shallow levels, and along the medial axis
+from one to the next: on machines of ordinary acceleration that is several times faster
+than trochoids. A single point is opened by a helix.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from shapely import LineString, Point, Polygon
+
+from .coverable import Center, maximal_centers
+from .entry import fit_helix_radius
+from .floor import Helix
+from .fronts import buffer, oriented
+from .joints import Joint, joined
+from .model import PocketRequest
+from .skeleton import Skeleton
+from .starts import HALF_WIDTHS, Start, slot_round
+
+#: Half the width of the ways between centers, over D.
+JOINT = 0.3
+#: Rounding takes no more than this off what is opened [mm].
+ROUNDING = 0.05
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Opening:
+    """The centers of spirals and how they are opened.
+
+    Attributes
+    ----------
+    start : Start
+    centers : tuple of Center
+    half_width : float
+        Of what is opened about them [mm].
+    joints : tuple of Joint
+        Between the centers, by index.
+    """
+
+    start: Start
+    centers: tuple[Center, ...]
+    half_width: float
+    joints: tuple[Joint, ...] = ()
+
+
+def open_centers(region: Polygon, axis: Skeleton, request: PocketRequest) -> Opening:
+    """Return the centers of spirals in a region and the slot or helix that opens them.
+
+    As wide as leaves no post where centers meet. If every width leaves one, only the first
+    center is opened, at last only its widest place.
+
+    Raises
+    ------
+    CutterDoesNotFitError
+        If there is no room to go down.
+    """
+    stepover, radius = request.cutting.stepover, request.cutter_radius
+    halves = [share * request.tool_diameter for share in HALF_WIDTHS]
+    found = [maximal_centers(region, axis, half, stepover, radius) for half in halves]
+    for half, centers in zip(halves, found, strict=True):
+        if len(centers) > 1:
+            joints = joined(axis, [c.nodes for c in centers])
+            shapes = [buffer(c.curve, half) for c in centers]
+            ways = buffer(_ways(axis, centers, joints), JOINT * request.tool_diameter)
+            start = slot_round(region, shapely.union_all([*shapes, ways]), request)
+            if start is not None and _opens(start, shapes):
+                return Opening(start, tuple(centers), half, tuple(joints))
+    for half, centers in zip(halves, found, strict=True):
+        if centers and centers[0].curve.length > 0:
+            start = slot_round(region, buffer(centers[0].curve, half), request)
+            if start is not None:
+                return Opening(start, (centers[0],), half)
+    return _open_point(region, axis, request)
+
+
+def _opens(start: Start, shapes: list[Polygon]) -> bool:
+    """Return whether a start opens all of some shapes, but for rounding."""
+    return bool(start.visited.buffer(ROUNDING).covers(shapely.union_all(shapes)))
+
+
+def _ways(axis: Skeleton, centers: list[Center], joints: list[Joint]) -> shapely.Geometry:
+    """Return the ways between centers, up to their smoothed curves."""
+    ways = []
+    for joint in joints:
+        ends = [axis.nodes[joint.nodes[i]] for i in (-1, 0)]
+        curves = (centers[joint.one].curve, centers[joint.other].curve)
+        way = [axis.nodes[joint.nodes[::-1]]]
+        for end, curve, at in zip(ends, curves, (0, 1), strict=True):
+            near = shapely.get_coordinates(shapely.shortest_line(curve, Point(end)))[:1]
+            way.insert(0 if at == 0 else len(way), near)
+        ways.append(LineString(np.vstack(way)))
+    return shapely.union_all(ways)
+
+
+def _open_point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Opening:
+    """Return the opening by a helix at the widest place."""
+    widest = int(np.argmax(axis.clearance))
+    place = axis.nodes[widest]
+    radius = fit_helix_radius(region, place, request.cutter_radius, request.entry)
+    laps = int(max(0.0, axis.clearance[widest] - radius) / request.cutting.stepover + 1e-6)
+    center = Center(Point(place), laps, np.array([widest]))
+    circle = oriented(buffer(center.curve, radius))
+    points = np.asarray(circle.exterior.coords)[:-1]
+    angle = float(np.arctan2(*(points[0] - place)[::-1]))
+    ring = LineString(np.vstack([points, points[:1]]))
+    start = Start("point", circle, region, Helix(place, radius, angle), ring)
+    return Opening(start, (center,), radius)
