@@ -60,6 +60,7 @@ class Strategy(Enum):
 
     AUTOMATIC = "Automatic"
     LINEAR_MORPH = "Linear Morph"
+    EXTENDED_ARCHIMEDEAN = "Extended Archimedean"
     CENTRAL_SPIRAL = "Central Spiral"
 
 
