@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Protocol
 
+from .compare import Compare
 from .outlook import Outlook
 from .plots import Plots
 from .preview import Preview
@@ -40,4 +41,4 @@ class Extra(Protocol):
 
 
 #: From the top to the bottom; each is called with the page.
-FACTORIES: list[Callable[[Any], Extra]] = [Outlook.of, Preview, ResultBox, Plots]
+FACTORIES: list[Callable[[Any], Extra]] = [Outlook.of, Preview, ResultBox, Plots, Compare]

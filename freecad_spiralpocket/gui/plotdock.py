@@ -23,7 +23,7 @@ translate = FreeCAD.Qt.translate
 
 NAME = "SpiralPocketPlots"
 LINE, SECOND, LIMIT = "#3b8ee0", "#e08a2e", "#d9432f"
-HEIGHT = 420  # pixels, when it opens
+HEIGHT = 280  # pixels, when it opens
 
 
 class PlotDock:
@@ -59,11 +59,13 @@ class PlotDock:
         )
         self.dock.setObjectName(NAME)
         self.dock.setWidget(self.canvas)
-        self.canvas.setMinimumHeight(HEIGHT // 2)
+        self.canvas.setMinimumHeight(HEIGHT - 100)
         self.canvas.mpl_connect("draw_event", self._drawn)
         self.canvas.mpl_connect("motion_notify_event", self._moved)
         self.canvas.mpl_connect("axes_leave_event", lambda event: self.point_at(None))
-        FreeCADGui.getMainWindow().addDockWidget(QtCore.Qt.BottomDockWidgetArea, self.dock)
+        window = FreeCADGui.getMainWindow()
+        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, self.dock)
+        window.resizeDocks([self.dock], [HEIGHT], QtCore.Qt.Vertical)
 
     def show(self, curves: Curves | None) -> None:
         """Draw curves, or nothing."""
@@ -110,8 +112,10 @@ class PlotDock:
         ]
         if curves.force is not None:
             rows.append((translate("SpiralPocket", "force [N]"), curves.force))
-        all_axes = self._figure.subplots(len(rows), 1, sharex=True, squeeze=False)[:, 0]
-        for axes, (label, values) in zip(all_axes, rows, strict=True):
+        all_axes = self._figure.subplots(2, 2, sharex=True).ravel(order="F")
+        for unused in all_axes[len(rows) :]:
+            unused.set_axis_off()
+        for axes, (label, values) in zip(all_axes, rows, strict=False):
             axes.plot(curves.clock, values, color=LINE, lw=0.8)
             axes.set_facecolor(background)
             axes.set_ylabel(label, color=text, fontsize="small")
@@ -124,13 +128,13 @@ class PlotDock:
             self._lines.append(axes.axvline(0, color=SECOND, lw=1, animated=True))
         all_axes[0].axhline(curves.limit, color=LIMIT, lw=1, ls="--")
         all_axes[0].set_ylim(0, 185)
-        all_axes[-1].set_xlim(0, float(curves.clock[-1]))
+        all_axes[0].set_xlim(0, float(curves.clock[-1]))
         name = translate("SpiralPocket", "time [s]")
         if curves.force is not None:
             name += translate("SpiralPocket", "; force in {}").format(MATERIAL)
         else:
             name += translate("SpiralPocket", "; the tool controller has no spindle speed")
-        all_axes[-1].set_xlabel(name, color=text, fontsize="small")
+        all_axes[1].set_xlabel(name, color=text, fontsize="small")
         self._note = all_axes[0].text(
             0.995, 0.93, "", transform=all_axes[0].transAxes, color=text, animated=True,
             ha="right", va="top", fontsize="small",

@@ -16,7 +16,7 @@ import numpy as np
 from ..engine.model import Floats
 from .outlook import Outlook, Pocket
 from .previewbox import PreviewBox
-from .previewcolors import OVER_LIMIT, Scale
+from .previewcolors import OVER_LIMIT, Scale, is_cut
 from .previewscene import DraftItem, PathItem, Scene
 from .tasks import Drawn
 
@@ -92,7 +92,7 @@ class Preview:
         quantity = self.box.quantity.currentData()
         requests = [p.request for p in self._outlook.pockets]
         if quantity == "feed":
-            feeds = [float(d.trace.feeds[d.trace.angles > 0].max(initial=0)) for d in self._drawn()]
+            feeds = [float(d.trace.feeds[is_cut(d.trace)].max(initial=0)) for d in self._drawn()]
             planned = [r.feeds.horizontal for r in requests]
             return Scale(quantity, 60 * max([*feeds, *planned], default=1.0))
         limit = float(np.degrees(max((r.engagement_limit for r in requests), default=np.pi)))

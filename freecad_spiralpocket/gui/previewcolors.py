@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.model import Floats
+from ..engine.toolpath import Role
 
 if TYPE_CHECKING:
     from ..trace import Trace
@@ -76,6 +77,11 @@ class Scale:
     def colors(self, trace: Trace) -> Floats:
         """Return the color of each stretch, shape (n, 3)."""
         return colors_at(self.values(trace) / max(self.top, 1e-9))
+
+
+def is_cut(trace: Trace) -> NDArray[np.bool_]:
+    """Return which stretches are meant to cut, the entry apart."""
+    return (trace.roles == Role.CUT) | (trace.roles == Role.FINISH)
 
 
 def colors_at(shares: Floats) -> Floats:

@@ -110,7 +110,7 @@ class PathItem:
                 _Layer("air", trace, trace.roles == Role.AIR, colors.AIR),
                 _Layer("link", trace, trace.roles == Role.LINK, colors.LINK),
                 _Layer("entry", trace, trace.roles == Role.ENTRY, colors.ENTRY),
-                _Layer("cut", trace, _is_cut(trace), scale.colors(trace)),
+                _Layer("cut", trace, colors.is_cut(trace), scale.colors(trace)),
             )
             if layer.is_drawn
         ]
@@ -224,10 +224,6 @@ class _Layer:
         if np.ndim(rgb) == 1:
             return np.tile(rgb, (len(self._vertices), 1))
         return rgb[np.maximum(self._vertices - 1, 0)]
-
-
-def _is_cut(trace: Trace) -> NDArray[np.bool_]:
-    return (trace.roles == Role.CUT) | (trace.roles == Role.FINISH)
 
 
 def _faces(rings: Sequence[Floats], z: float, color: tuple[float, float, float]) -> Any:

@@ -66,6 +66,14 @@ class Tasks:
         made = plan(request, progress)
         return Drawn(made, trace_of(made), areas_of(made))
 
+    def adaptive(self, request: PocketRequest, _: Progress) -> Drawn:
+        """Return what FreeCAD's own Adaptive makes of a request, drawn."""
+        from ..adaptive import plan_adaptive
+        from ..trace import areas_of, trace_of
+
+        made = plan_adaptive(request)
+        return Drawn(made, trace_of(made), areas_of(made))
+
 
 def versions() -> tuple[str, ...]:
     """Return what must be the same here and in FreeCAD for the same path to come out."""

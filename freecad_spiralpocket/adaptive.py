@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's own Adaptive on the same pocket, for comparison.
+
+Asks FreeCAD's clearing library (the extension module `area`, which needs neither a
+document nor FreeCAD itself) with the operation's default values, and moves as its
+operation does: helix in short lines at the vertical feed, cuts at the horizontal one,
+rapids for its links. Measured by the same proof as our own paths.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import shapely
+
+from .engine.engagement import along_path
+from .engine.errors import SetupError, SpiralPocketError
+from .engine.levels import floors
+from .engine.machine import MIDDLING
+from .engine.model import Floats, Plan, PocketRequest
+from .engine.timing import time_of
+from .engine.toolpath import Role, Toolpath, ToolpathBuilder
+from .engine.verify import prove
+
+#: Defaults of FreeCAD's operation: tolerance of the library, and its longest links at depth.
+TOLERANCE, KEEP_DOWN_RATIO = 0.1, 3.0
+#: A helix narrower than this is none [mm]; its radius is less by as much.
+NO_HELIX = 0.01
+#: Angle of the helix' chords [rad].
+CHORD = math.pi / 16
+#: Chords of curved walls [mm]; stock around the pocket [mm].
+SAG, AROUND = 0.01, 20.0
+
+
+def plan_adaptive(request: PocketRequest) -> Plan:
+    """Return what FreeCAD's Adaptive makes of a request at the same step-over.
+
+    Raises
+    ------
+    SpiralPocketError
+        If this FreeCAD has no such library, or it finds no path.
+    """
+    toolpath = _toolpath(_regions(request), request)
+    request = replace(request, machine=request.machine or MIDDLING)
+    engagement = along_path(
+        toolpath,
+        request.cutter_radius,
+        axial_depth=request.axial_depth,
+        top=request.heights.start_depth,
+    )
+    report = prove(request, toolpath, engagement)
+    return Plan(request, toolpath, replace(report, time=time_of(toolpath, request.machine).total))
+
+
+def _regions(request: PocketRequest) -> Sequence[Any]:
+    """Return the library's result, one for each region."""
+    try:
+        import area
+    except ImportError as error:
+        raise SetupError("FreeCAD's Adaptive cannot be reached from here.") from error
+    cutting, pocket = request.cutting, shapely.simplify(request.pocket, SAG / 5)
+    clearing = area.Adaptive2d()
+    clearing.stepOverFactor = cutting.stepover / request.tool_diameter
+    clearing.toolDiameter = request.tool_diameter
+    clearing.helixRampDiameter = request.entry.max_diameter
+    clearing.keepToolDownDistRatio = KEEP_DOWN_RATIO
+    clearing.stockToLeave = cutting.stock_to_leave
+    clearing.tolerance = TOLERANCE
+    clearing.forceInsideOut = False
+    clearing.finishingProfile = True
+    clearing.opType = area.AdaptiveOperationType.ClearingInside
+    stock = shapely.box(*pocket.bounds).buffer(AROUND, join_style="mitre")
+    rings = [pocket.exterior, *pocket.interiors]
+    found = clearing.Execute([_ring(stock.exterior)], [_ring(r) for r in rings], lambda _: False)
+    if not found or not found[0].AdaptivePaths:
+        raise SpiralPocketError("FreeCAD's Adaptive finds no path in this pocket.")
+    return list(found)
+
+
+def _ring(ring: shapely.LinearRing) -> list[list[float]]:
+    return [[float(x), float(y)] for x, y in shapely.get_coordinates(ring)]
+
+
+def _toolpath(regions: Sequence[Any], request: PocketRequest) -> Toolpath:
+    """Return the moves of all regions at all levels."""
+    heights = request.heights
+    first = regions[0].HelixCenterPoint
+    builder = ToolpathBuilder((first[0], first[1], heights.clearance))
+    radius = max(math.dist(r.HelixCenterPoint[:2], r.StartPoint[:2]) for r in regions)
+    pitch = 2 * math.pi * radius * math.tan(request.entry.helix_angle)
+    top = heights.start_depth
+    for bottom in floors(heights, request.cutting.floor_stock):
+        for region in regions:
+            _go_down(builder, region, top, bottom, pitch, request)
+            for motion, points in region.AdaptivePaths:
+                _move(builder, int(motion), np.array(points, float), bottom, request)
+            builder.rapid(request.feeds.vertical_rapid, z=heights.clearance)
+        top = bottom
+    return builder.build()
+
+
+def _go_down(
+    builder: ToolpathBuilder,
+    region: Any,
+    top: float,
+    bottom: float,
+    pitch: float,
+    request: PocketRequest,
+) -> None:
+    """Add the helix from `top` to `bottom` and one flat turn, or a plunge."""
+    feeds, heights = request.feeds, request.heights
+    center, start = np.array(region.HelixCenterPoint[:2]), np.array(region.StartPoint[:2])
+    radius = math.dist(center, start)
+    builder.rapid(feeds.vertical_rapid, z=heights.clearance)
+    if radius <= NO_HELIX:
+        builder.rapid(feeds.horizontal_rapid, *start)
+        builder.line((*start, bottom), feeds.vertical, Role.ENTRY)
+        return
+    down = (top - bottom) / pitch * 2 * math.pi
+    begin = math.atan2(*(start - center)[::-1]) - math.pi / 16 - down
+    turned = np.append(np.arange(0.0, down + 2 * math.pi, CHORD), down + 2 * math.pi)
+    angles = begin + turned
+    xy = center + (radius - NO_HELIX) * np.column_stack([np.cos(angles), np.sin(angles)])
+    z = np.maximum(top - turned / down * (top - bottom), bottom)
+    builder.rapid(feeds.horizontal_rapid, *xy[0])
+    builder.rapid(feeds.vertical_rapid, z=heights.safe)
+    for (x, y), height, turn in zip(xy, z, turned, strict=True):
+        feed = feeds.vertical if turn <= down else feeds.horizontal
+        builder.line((x, y, height), feed, Role.ENTRY)
+
+
+def _move(
+    builder: ToolpathBuilder, motion: int, points: Floats, bottom: float, request: PocketRequest
+) -> None:
+    """Add one of the library's paths: 0 cuts, 1 links at depth, others above the part."""
+    feeds = request.feeds
+    z = bottom if motion in (0, 1) else request.heights.clearance
+    if motion == 0:
+        builder.line((*builder.here[:2], z), feeds.vertical, Role.CUT)
+        builder.polyline(points, z, feeds.horizontal, Role.CUT)
+        return
+    builder.rapid(feeds.vertical_rapid, z=z)
+    for x, y in points:
+        builder.rapid(feeds.horizontal_rapid, x, y)

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Strategies side by side: each is planned, one is picked, and closing ends the work."""
+
+import FreeCADGui
+import pytest
+from snapshot import differences, snapshot
+from window import (
+    APPLY,
+    CANCEL,
+    dialog,
+    panel,
+    press,
+    press_toolbar_button,
+    pump,
+    select,
+    wait_for,
+    widget,
+)
+
+from freecad_spiralpocket.engine.model import Strategy
+from freecad_spiralpocket.gui import planning
+
+NAME = "SpiralPocketCompare"
+
+
+def page():
+    """Return the open panel's own page."""
+    return panel().operation_page
+
+
+def cards():
+    """Return the cards of the open comparison."""
+    return page().compare.window.cards
+
+
+@pytest.fixture
+def opened(job, floor):
+    """Return a new operation with its panel open and its path proved."""
+    select(floor)
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    wait_for(lambda: page().outlook.is_settled, 60)
+    return job.Operations.Group[0]
+
+
+@pytest.fixture
+def compared(opened):
+    """Return the same with the comparison open and through."""
+    page().compare.button.click()
+    wait_for(lambda: all(c.text.text() for c in cards()), 120)
+    return opened
+
+
+def test_all_strategies_and_freecads_own_are_there(compared):
+    assert len(cards()) == len(Strategy) + 1
+    assert "Adaptive" in cards()[-1].name
+    for card in cards():
+        assert card.seconds > 0 and card.picture.pixmap() is not None
+    assert sum("★" in c._title.text() for c in cards()) == 1
+    assert not cards()[-1].button.isEnabled()
+    press(CANCEL)
+    assert dialog(NAME) is None
+
+
+def test_comparing_touches_nothing(doc, opened):
+    before = snapshot(doc)
+    page().compare.button.click()
+    wait_for(lambda: all(c.text.text() for c in cards()), 120)
+    assert not differences(before, snapshot(doc))
+    press(CANCEL)
+
+
+def test_picked_strategy_is_set_and_its_path_is_known(compared):
+    at = next(i for i, s in enumerate(Strategy) if s is Strategy.LINEAR_MORPH)
+    seconds = cards()[at].seconds
+    cards()[at].button.click()
+    wait_for(lambda: page().outlook.is_settled, 60)
+    assert compared.Strategy == Strategy.LINEAR_MORPH.value
+    assert widget("strategy").currentData() == Strategy.LINEAR_MORPH.value
+    (plan,) = page().outlook.plans
+    assert plan.report.time == seconds
+    press(APPLY)
+    assert compared.MachiningTime == pytest.approx(seconds)
+    press(CANCEL)
+
+
+def test_closing_ends_the_work(opened):
+    planning._proved.clear()
+    page().compare.button.click()
+    jobs = [c._job for c in cards() if c._job is not None]
+    assert len(jobs) == len(Strategy) + 1
+    page().compare.window.dialog.reject()
+    pump()
+    assert not planning.proofs._waiting
+    assert not any(s.job in jobs for s in planning.proofs._seats if s.job is not None)
+    press(CANCEL)
+
+
+def test_comparison_follows_a_change(compared):
+    first = cards()[0].seconds
+    widget("stepOverPercent").setValue(25)
+    wait_for(lambda: page().outlook.is_settled, 60)
+    wait_for(lambda: all(c.text.text() for c in cards()), 120)
+    assert cards()[0].seconds > first
+    press(CANCEL)
