@@ -29,7 +29,9 @@ from .tasks import Drawn
 
 translate = FreeCAD.Qt.translate
 
-PICTURE = QtCore.QSize(250, 210)
+PICTURE = QtCore.QSize(250, 170)
+COLUMNS = 3
+OVER = "#d9432f"  # what clearly passes the limit is written in this color
 
 
 class Compare:
@@ -83,9 +85,9 @@ class Comparison:
         self.dialog.setWindowTitle(translate("SpiralPocket", "Compare strategies"))
         self.pocket = QtGui.QComboBox()
         self.pocket.currentIndexChanged.connect(lambda *_: self._begin())
-        self._row = QtGui.QHBoxLayout()
+        self._grid = QtGui.QGridLayout()
         scroll, inside = QtGui.QScrollArea(), QtGui.QWidget()
-        inside.setLayout(self._row)
+        inside.setLayout(self._grid)
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QtGui.QFrame.NoFrame)
         scroll.setWidget(inside)
@@ -95,8 +97,9 @@ class Comparison:
         for widget in (self.pocket, scroll, buttons):
             layout.addWidget(widget)
         self.dialog.finished.connect(lambda *_: self._end())
-        count = len(Strategy) + 1
-        self.dialog.resize(min(1180, 40 + count * (PICTURE.width() + 24)), 480)
+        columns = min(COLUMNS, len(Strategy) + 1)
+        rows = -(-(len(Strategy) + 1) // columns)
+        self.dialog.resize(60 + columns * (PICTURE.width() + 30), min(820, 70 + 355 * rows))
 
     def show(self, requests: list[PocketRequest]) -> None:
         """Compare on one of these pockets, at first the largest; begin anew if it is another."""
@@ -141,26 +144,27 @@ class Comparison:
             )
         name = translate("SpiralPocket", "FreeCAD's Adaptive")
         self._add(Card(name, "adaptive", request, None, self._mark_fastest))
-        self._row.addStretch()
         for card in self.cards:
             card.begin()
 
     def _add(self, card: Card) -> None:
+        self._grid.addWidget(card.frame, *divmod(len(self.cards), COLUMNS))
         self.cards.append(card)
-        self._row.addWidget(card.frame)
 
     def _mark_fastest(self) -> None:
-        times = [c.seconds for c in self.cards if c.seconds is not None]
+        """Mark the fastest of those that keep the limit, if any does."""
+        done = [c for c in self.cards if c.seconds is not None]
+        fair = [c for c in done if c.keeps_limit] or done
         for card in self.cards:
-            card.emphasize(card.seconds is not None and card.seconds == min(times))
+            card.emphasize(card in fair and card.seconds == min(c.seconds for c in fair))
 
     def _end(self) -> None:
         """Give up all jobs and take the cards away."""
         for card in self.cards:
             card.close()
         self.cards = []
-        while self._row.count():
-            self._row.takeAt(0)
+        while self._grid.count():
+            self._grid.takeAt(0)
 
 
 class Card:
@@ -176,6 +180,7 @@ class Card:
     ) -> None:
         self.name = name
         self.seconds: float | None = None
+        self.keeps_limit = False
         self._task, self._request, self._changed = task, request, changed
         self._job: Job | None = None
         self.frame = QtGui.QFrame()
@@ -215,7 +220,11 @@ class Card:
     def emphasize(self, fastest: bool) -> None:
         """Write the name, of the fastest with a star."""
         self._title.setText(f"<b>{self.name}</b>{' ★' if fastest else ''}")
-        self._title.setToolTip(translate("SpiralPocket", "the fastest") if fastest else "")
+        self._title.setToolTip(
+            translate("SpiralPocket", "the fastest that keeps the limit of engagement")
+            if fastest
+            else ""
+        )
 
     def close(self) -> None:
         """Give the job up."""
@@ -244,7 +253,9 @@ class Card:
         palette = self.frame.palette()
         self.picture.setPixmap(picture_of(outcome, scale, PICTURE, palette))
         self.text.setText(_figures(outcome))
-        self.seconds = outcome.plan.report.time
+        report = outcome.plan.report
+        self.seconds = report.time
+        self.keeps_limit = not _passes(report.engagement_p99, report.engagement_limit)
         self.button.setEnabled(self._choose is not None)
         self._changed()
 
@@ -252,18 +263,36 @@ class Card:
 def _figures(drawn: Drawn) -> str:
     """Return the figures of a plan as a table."""
     report = drawn.plan.report
-    largest, often, mean = (
-        f"{np.degrees(angle):.0f}°"
-        for angle in (report.engagement_max, report.engagement_p99, report.engagement_mean)
-    )
+    limit = report.engagement_limit
     rows = [
-        (translate("SpiralPocket", "Time"), f"<b>{duration(report.time)}</b>"),
+        (translate("SpiralPocket", "Time"), f"<b>{_seconds(report.time)}</b>"),
         (translate("SpiralPocket", "Cutting length"), f"{report.cut_length / 1000:.2f} m"),
-        (translate("SpiralPocket", "Largest engagement"), largest),
-        (translate("SpiralPocket", "99 % of it below"), often),
-        (translate("SpiralPocket", "Mean engagement"), mean),
+        (translate("SpiralPocket", "Largest engagement"), _angle(report.engagement_max, limit)),
+        (translate("SpiralPocket", "99 % of it below"), _angle(report.engagement_p99, limit)),
+        (translate("SpiralPocket", "Limit"), f"{np.degrees(limit):.0f}°"),
+        (
+            translate("SpiralPocket", "Mean engagement"),
+            f"{np.degrees(report.engagement_mean):.0f}°",
+        ),
         (translate("SpiralPocket", "Left uncut"), small(report.uncut_area, power=2)),
-        (translate("SpiralPocket", "Remarks"), str(len(report.notices))),
     ]
     cells = "".join(f"<tr><td>{n}&nbsp;</td><td align=right>{v}</td></tr>" for n, v in rows)
     return f"<table width=100%>{cells}</table>"
+
+
+def _seconds(time: float) -> str:
+    """Return a time so fine that short ones can be told apart."""
+    return f"{time:.1f} s" if time < 60 else duration(time)
+
+
+def _angle(angle: float, limit: float) -> str:
+    """Return an engagement angle, colored if it clearly passes the limit."""
+    text = f"{np.degrees(angle):.0f}°"
+    return f'<span style="color:{OVER}">{text}</span>' if _passes(angle, limit) else text
+
+
+def _passes(angle: float, limit: float) -> bool:
+    """Return whether an engagement angle clearly passes the limit."""
+    from ..engine.findings import over_limit  # needs shapely
+
+    return angle > over_limit(limit)
