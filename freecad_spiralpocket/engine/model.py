@@ -61,6 +61,7 @@ class Strategy(Enum):
     AUTOMATIC = "Automatic"
     LINEAR_MORPH = "Linear Morph"
     EXTENDED_ARCHIMEDEAN = "Extended Archimedean"
+    ISOTHERM = "Isotherm"
     CENTRAL_SPIRAL = "Central Spiral"
 
 

@@ -23,7 +23,7 @@ from .engagement import Engagement, along_path
 from .errors import CancelledError, ProofError, SpiralPocketError
 from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
-from .laps import automatic, central, extended_archimedean, linear_morph
+from .laps import automatic, central, extended_archimedean, isotherm, linear_morph
 from .levels import levels_of
 from .machine import MIDDLING
 from .model import (
@@ -50,6 +50,7 @@ _STRATEGIES: dict[Strategy, Callable[[Polygon, PocketRequest, Tick], FloorPath]]
     Strategy.AUTOMATIC: automatic.floor_path,
     Strategy.LINEAR_MORPH: linear_morph.floor_path,
     Strategy.EXTENDED_ARCHIMEDEAN: extended_archimedean.floor_path,
+    Strategy.ISOTHERM: isotherm.floor_path,
     Strategy.CENTRAL_SPIRAL: central.floor_path,
 }
 

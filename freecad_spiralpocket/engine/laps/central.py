@@ -38,18 +38,13 @@ from ..region import grow, polygons_of
 from ..splines import periodic_beziers, periodic_cubic, sample_beziers
 from ..starshape import deepest_center
 from ..timing import polyline_seconds
-from .closing import closing_passes
+from .closing import closing_passes, corner_fillet
 from .linear_morph import spiral_beziers
 
 #: C, the end of the circular spiral, in the order tried: the paper's best first.
 RATIOS = (0.55, 0.5, 0.6, 0.45, 0.65, 0.4, 0.7, 0.3, 0.8)
-#: Fillet radii of the rounded wall tried, over the step-over.
-FILLETS = (4.0, 3.0, 2.4, 1.75, 1.3, 1.0, 0.7, 0.5)
-#: It is no more than this share of the room about the middle.
+#: The wall is rounded by no more than this share of the room about the middle.
 MOST_FILLET = 0.5
-#: What the rounding may leave in a corner for the closing lap, over the step-over: where the wall
-#: turns at once the engagement jumps.
-CORNER_BITE = 0.5
 #: The spline of the wall runs this far inside of it [mm].
 INSET = 0.01
 #: Longest distance between its points, and turning between them [mm, rad]; halved until it stays
@@ -128,17 +123,6 @@ def _middle(region: Polygon) -> Floats:
             (place.x, place.y),
         )
     return center
-
-
-def corner_fillet(region: Polygon, stepover: float) -> float:
-    """Return the largest fillet that leaves the closing lap little enough in the corners [mm]."""
-    corners = shapely.points(shapely.get_coordinates(region))
-    for share in FILLETS:
-        opened = grow(grow(region, -share * stepover), share * stepover)
-        shapely.prepare(opened)
-        if not opened.is_empty and shapely.dwithin(opened, corners, CORNER_BITE * stepover).all():
-            return share * stepover
-    return FILLETS[-1] * stepover
 
 
 def wall_spline(region: Polygon, center: Floats, fillet: float) -> tuple[Floats, Floats]:

@@ -8,13 +8,32 @@ that is left, and the corners that the laps rounded off.
 from __future__ import annotations
 
 import numpy as np
+import shapely
 from shapely import Polygon
 
 from ..floor import Pass
 from ..linking import leave_wall
 from ..model import Floats, PocketRequest
 from ..polyline import ring_from, simplified
+from ..region import grow
 from ..toolpath import Role
+
+#: Fillet radii of the rounded wall tried, over the step-over.
+FILLETS = (4.0, 3.0, 2.4, 1.75, 1.3, 1.0, 0.7, 0.5)
+#: What the rounding may leave in a corner for the closing lap, over the step-over: where the wall
+#: turns at once the engagement jumps.
+CORNER_BITE = 0.5
+
+
+def corner_fillet(region: Polygon, stepover: float) -> float:
+    """Return the largest fillet that leaves the closing lap little enough in the corners [mm]."""
+    corners = shapely.points(shapely.get_coordinates(region))
+    for share in FILLETS:
+        opened = grow(grow(region, -share * stepover), share * stepover)
+        shapely.prepare(opened)
+        if not opened.is_empty and shapely.dwithin(opened, corners, CORNER_BITE * stepover).all():
+            return share * stepover
+    return FILLETS[-1] * stepover
 
 
 def closing_passes(

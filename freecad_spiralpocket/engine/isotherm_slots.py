@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where isotherms are opened: cores in the middle, and slots along level ridges.
+
+About a summit laps shrink to a helix. Along a ridge that is level, as in a long room, a
+neck, a finger or all round an island, isotherms are no guide: laps would creep along it
+by one step-over each, and what is left of the ridge at last is noise. A room that is thin
+enough for the cutter to clear it from its outline is opened by a slot along that, if this
+is shorter than the laps that it saves.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import shapely
+from shapely import Polygon
+
+from .entry import fit_helix_radius
+from .floor import Helix, Slot
+from .isotherms import Family, Room, distances, isotherms, points_of
+from .model import Floats
+from .nested import Lap
+from .region import grow, polygons_of
+from .starts import slot_bite
+
+#: A core is opened by a slot where a helix would need more laps than this times its levels.
+SLOT_PAYS = 2.0
+#: The cutter, once round a core, clears what is nearer than this over R.
+CLEARED = 0.97
+#: Sought is one a little thinner than that.
+THIN = 0.96
+#: Detail that does not matter there [mm].
+THIN_SLACK = 0.02
+#: Steps of the search for it.
+BISECTIONS = 6
+#: Slots in necks reach into the rooms by these shares of the step-over, and their ends are rounded
+#: by these over R: the first that is thin enough is taken.
+OVERLAPS, ROUNDINGS = (1.0, 0.6, 0.3), (0.3, 0.1, 0.03)
+
+
+def core_of(family: Family, room: Room) -> Lap | None:
+    """Return how the innermost part of a room is opened; None if there are laps to come."""
+    request, region = family.request, room.region
+    radius = request.cutter_radius
+    center, _ = room.peak(family.field)
+    ring = np.asarray(region.exterior.coords)
+    far = float(np.hypot(*(ring - center).T).max())
+    free = family.region.boundary.distance(shapely.Point(center))
+    reach = min(radius, free) + family.stepover
+    if not region.interiors and far <= reach:
+        width = fit_helix_radius(family.region, center, radius, request.entry)
+        if far <= width + family.stepover:
+            return Lap(_disc(center, width), math.nan, (), Helix(center, width))
+    if not _is_thin(region, _width(family, region)):
+        return None
+    if not region.interiors and not _pays(family, far - reach):
+        return None
+    return Lap(region, room.level, (), Slot(ring[:-1], slot_bite(request)))
+
+
+def _disc(center: Floats, radius: float) -> Polygon:
+    angles = np.linspace(0.0, 2 * np.pi, 193)[:-1]
+    return Polygon(center + radius * np.column_stack([np.cos(angles), np.sin(angles)]))
+
+
+def _is_thin(region: Polygon, width: float) -> bool:
+    """Return whether all of a region is within `width` of its outer boundary."""
+    rough = shapely.simplify(region, THIN_SLACK)
+    swept = shapely.buffer(rough.exterior, width, quad_segs=16)
+    return bool(shapely.difference(rough, swept).area < 1e-3)
+
+
+def _width(family: Family, core: Polygon) -> float:
+    """Return how far from its outer ring a core may reach to be opened by a slot [mm]."""
+    width = CLEARED * family.request.cutter_radius
+    # an inner ring of the core is a lap of its own
+    return min(width, family.stepover) if core.interiors else width
+
+
+def _pays(family: Family, way: float) -> bool:
+    """Return whether a slot is shorter than laps that creep so far along a ridge [mm]."""
+    levels = math.ceil(family.request.axial_depth / slot_bite(family.request))
+    return way / family.stepover > SLOT_PAYS * levels
+
+
+def core_share(family: Family, room: Room, share: float, hottest: float) -> float:
+    """Return a share before `share` at which a core can be opened by a slot, or `share`.
+
+    A step over the ridge would leave the ridge's summits, which are noise where it is level.
+    """
+    count = len(room.region.interiors)
+    if _is_thin(room.region, _width(family, room.region)):
+        return share
+
+    def parts(of: float) -> list[Polygon]:
+        level = room.level + of * (hottest - room.level)
+        return isotherms(family.contours, room, level)
+
+    def is_whole(found: list[Polygon]) -> bool:
+        return len(found) == 1 and len(found[0].interiors) == count
+
+    def is_thin(core: Polygon) -> bool:
+        return _is_thin(core, THIN * _width(family, core))
+
+    last = parts(share)
+    if is_whole(last) and not is_thin(last[0]):
+        return share
+    low, high, core = 0.0, share, None
+    for _ in range(BISECTIONS):
+        middle = (low + high) / 2
+        inner = parts(middle)
+        if not is_whole(inner):
+            high, core = middle, None
+        elif is_thin(inner[0]):
+            high, core = middle, inner[0]
+        else:
+            low = middle
+    if core is None or core_of(family, replace(room, region=core)) is None:
+        return share
+    return high
+
+
+def slots_for(family: Family, room: Room, rooms: list[Polygon], must_pay: bool) -> list[Lap]:
+    """Return slots that open all that is out of reach of the rooms; none if they cannot.
+
+    In a neck or a finger of even width the isotherms are exponentially far apart; laps would
+    creep along it. There the ridge is opened by a slot at once, if it is thin enough.
+    """
+    request, step = family.request, family.stepover
+    reached = shapely.buffer(shapely.union_all(rooms), step, quad_segs=8)
+    laps = []
+    for piece in polygons_of(shapely.difference(room.region, reached)):
+        if piece.area < 1e-3:
+            continue
+        far = distances(points_of(piece), rooms).max()
+        if must_pay and not _pays(family, far):
+            return []
+        slot = _slot_about(family, room, piece)
+        if slot is None:
+            return []
+        ring = np.asarray(slot.exterior.coords)[:-1]
+        laps.append(Lap(slot, math.nan, (), Slot(ring, slot_bite(request))))
+    return laps
+
+
+def _slot_about(family: Family, room: Room, piece: Polygon) -> Polygon | None:
+    """Return a region to open by a slot that covers `piece` and meets the rooms beside it."""
+    radius = family.request.cutter_radius
+    for share, rounding in product(OVERLAPS, ROUNDINGS):
+        wide = shapely.intersection(room.region, grow(piece, share * family.stepover))
+        round_ = rounding * radius
+        parts = polygons_of(grow(grow(wide, -round_), round_))
+        if not parts or parts[0].interiors:
+            continue
+        left = shapely.difference(piece, grow(parts[0], family.stepover / 2))
+        if left.area < 1e-3 and _is_thin(parts[0], CLEARED * radius):
+            return parts[0]
+    return None

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Isotherms as laps: contours of the temperature, refitted and nested.
+
+A `Family` holds what all laps of one region have in common, a `Room` is what one lap
+encloses. The isotherms of a room at some temperature enclose one or more rooms that are
+hotter; where they enclose an island they have inner rings.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from contourpy import ContourGenerator, LineType, contour_generator
+from numpy.typing import NDArray
+from scipy import ndimage
+from scipy.spatial import cKDTree
+from shapely import Polygon
+
+from .fronts import oriented
+from .hermite_quartic import fit_closed
+from .model import Floats, PocketRequest
+from .nested import SPACING, Mover
+from .poisson import HeatField, solve
+from .region import grow, polygons_of
+
+#: Nodes of the grid; more where the spacing would pass this share of the step-over, up to `MOST`.
+UNKNOWNS, COARSEST, MOST = 12_000, 0.5, 60_000
+#: Largest deviation of refitted laps over the step-over, and [mm] (the paper's).
+DEVIATION, LARGEST_DEVIATION = 0.04, 0.5
+#: It is halved so often until laps are nested.
+HALVINGS = 6
+#: The last lap keeps off the wall by this [mm].
+INSET = 0.01
+#: Steps along a gradient line.
+GRADIENT_STEPS = 4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Family:
+    """The isotherms of one region, and how laps are chosen among them.
+
+    Attributes
+    ----------
+    field : HeatField
+    contours : contourpy.ContourGenerator
+        Of the field.
+    region : shapely.Polygon
+        The cutter-center region, corners rounded.
+    request : PocketRequest
+    deviation : float
+        Largest deviation of refitted laps [mm]; 0 for raw isotherms.
+    """
+
+    field: HeatField
+    contours: ContourGenerator
+    region: Polygon
+    request: PocketRequest
+    deviation: float
+
+    @property
+    def stepover(self) -> float:
+        """Return the largest distance of laps [mm]."""
+        return self.request.cutting.stepover
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Room:
+    """What a lap encloses.
+
+    Attributes
+    ----------
+    region : shapely.Polygon
+        The lap is its boundary.
+    level : float
+        Temperature of the lap [mm2].
+    nodes : ndarray of bool, shape (ny, nx)
+        Nodes of the field that are hotter.
+    patches : int
+        Of the lap's outer ring.
+    """
+
+    region: Polygon
+    level: float
+    nodes: NDArray[np.bool_]
+    patches: int = 8
+
+    def peak(self, field: HeatField) -> tuple[Floats, float]:
+        """Return place and temperature of the hottest node."""
+        values = np.where(self.nodes, field.values, -np.inf)
+        row, column = np.unravel_index(int(np.argmax(values)), values.shape)
+        x, y = field.xy
+        return np.array([x[column], y[row]]), float(values[row, column])
+
+
+def family_of(
+    region: Polygon, request: PocketRequest, fillet: float, deviation: float | None = None
+) -> Family:
+    """Return the isotherms of a cutter-center region.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+    request : PocketRequest
+    fillet : float
+        Radius with which its corners are rounded [mm].
+    deviation : float, optional
+        Largest deviation of refitted laps [mm]; 0 for raw isotherms.
+    """
+    stepover = request.cutting.stepover
+    if deviation is None:
+        deviation = min(LARGEST_DEVIATION, DEVIATION * stepover)
+    rounded = _rounded(region, fillet)
+    even = math.sqrt(rounded.area / UNKNOWNS)
+    spacing = max(min(even, COARSEST * stepover), math.sqrt(rounded.area / MOST))
+    field = solve(rounded, spacing)
+    values = np.ma.masked_invalid(field.values)
+    contours = contour_generator(*field.xy, values, line_type=LineType.Separate, corner_mask=False)
+    return Family(field, contours, rounded, request, deviation)
+
+
+def _rounded(region: Polygon, fillet: float) -> Polygon:
+    """Return the region with rounded corners, unless that costs a neck or an island."""
+    parts = polygons_of(grow(grow(region, -fillet - INSET), fillet))
+    if len(parts) == 1 and len(parts[0].interiors) == len(region.interiors):
+        return oriented(parts[0])
+    parts = polygons_of(grow(region, -INSET))
+    return oriented(parts[0] if len(parts) == 1 else region)
+
+
+def mover(field: HeatField) -> Mover:
+    """Return what moves points along gradient lines; see `nested.Mover`."""
+
+    def move(points: Floats, level: float, to_level: float) -> Floats:
+        rise = (to_level - level) / GRADIENT_STEPS
+        for _ in range(GRADIENT_STEPS):
+            middle = points + _uphill(field, points) * rise / 2
+            points = points + _uphill(field, middle) * rise
+        return points
+
+    return move
+
+
+def _uphill(field: HeatField, points: Floats) -> Floats:
+    """Return the way along the gradient for a rise of 1, shape (n, 2)."""
+    slope = field.gradient(points)
+    return slope / np.maximum((slope**2).sum(axis=1), field.spacing**2)[:, None]
+
+
+def outer_room(family: Family) -> Room:
+    """Return the room within the wall, its lap a closed C2 curve where laps are refitted."""
+    region, wall = family.region, family.region
+    fence = shapely.buffer(region, INSET)
+    if family.deviation > 0:
+        dense = shapely.segmentize(region, 2 * SPACING)
+        walls = (refitted(dense, INSET * 0.5**halving)[0] for halving in range(HALVINGS))
+        wall = next((w for w in walls if w.is_valid and fence.covers(w)), region)
+    return Room(wall, 0.0, family.field.inside)
+
+
+def isotherms(contours: ContourGenerator, room: Room, level: float) -> list[Polygon]:
+    """Return the parts of a room that are hotter than `level`, as they come off the grid."""
+    shells: list[Polygon] = []
+    holes: list[Polygon] = []
+    for line in contours.lines(level):
+        points = np.asarray(line)
+        if len(points) < 4 or not np.array_equal(points[0], points[-1]):
+            continue
+        area = _signed_area(points)
+        (shells if area > 0 else holes).append(Polygon(points))
+    inner: list[list[shapely.LinearRing]] = [[] for _ in shells]
+    for hole in holes:
+        about = [i for i, shell in enumerate(shells) if shell.contains(hole)]
+        if about:
+            inner[min(about, key=lambda i: shells[i].area)].append(hole.exterior)
+    parts = [oriented(Polygon(s.exterior, h)) for s, h in zip(shells, inner, strict=True)]
+    return [p for p in parts if room.region.contains(p.representative_point())]
+
+
+def _signed_area(points: Floats) -> float:
+    x, y = points[:, 0], points[:, 1]
+    return float((x[:-1] * y[1:] - x[1:] * y[:-1]).sum()) / 2
+
+
+def rooms_at(family: Family, room: Room, level: float) -> list[Room]:
+    """Return the rooms within the laps at `level`, laps refitted, the hottest last."""
+    field = family.field
+    rooms = []
+    labels, _ = ndimage.label(room.nodes & (np.nan_to_num(field.values) > level))
+    for part in isotherms(family.contours, room, level):
+        x, y = field.xy
+        columns = np.flatnonzero((x > part.bounds[0]) & (x < part.bounds[2]))
+        rows = np.flatnonzero((y > part.bounds[1]) & (y < part.bounds[3]))
+        window = np.ix_(rows, columns)
+        grid = np.meshgrid(x[columns], y[rows])
+        inside = shapely.contains_xy(part, *grid) & (labels[window] > 0)
+        if not inside.any():
+            continue
+        nodes = np.zeros_like(room.nodes)
+        nodes[window] = inside
+        lap, patches = _nested(family, part, room)
+        rooms.append(Room(lap, level, nodes, patches))
+    return sorted(rooms, key=lambda r: r.peak(field)[1])
+
+
+def points_of(region: Polygon) -> Floats:
+    """Return the points of a region's rings, shape (n, 2)."""
+    rings = (region.exterior, *region.interiors)
+    return np.vstack([np.asarray(r.coords)[:-1] for r in rings])
+
+
+def distances(points: Floats, regions: list[Polygon]) -> Floats:
+    """Return the distance of each point from the nearest boundary of the regions [mm]."""
+    if not regions:
+        return np.full(len(points), np.inf)
+    tree = cKDTree(np.vstack([points_of(region) for region in regions]))
+    return np.asarray(tree.query(points)[0])
+
+
+def _nested(family: Family, part: Polygon, room: Room) -> tuple[Polygon, int]:
+    """Return a lap refitted so closely that it keeps inside its room, and its patches."""
+    if family.deviation > 0:
+        shapely.prepare(room.region)
+        for halving in range(HALVINGS):
+            lap, patches = refitted(part, family.deviation * 0.5**halving, room.patches)
+            if lap.is_valid and room.region.contains(lap):
+                return lap, patches
+    return part, room.patches
+
+
+def refitted(part: Polygon, deviation: float, guess: int = 8) -> tuple[Polygon, int]:
+    """Return a region whose rings are refitted within a deviation, and its outer ring's patches.
+
+    See `hermite_quartic.fit_closed` for the arguments.
+    """
+    rings = (part.exterior, *part.interiors)
+    curves = [fit_closed(np.asarray(r.coords)[:-1], deviation, guess) for r in rings]
+    shell, *holes = [curve.sample(SPACING) for curve in curves]
+    return oriented(Polygon(shell, holes)), len(curves[0].breaks) - 1

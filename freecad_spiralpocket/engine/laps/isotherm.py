@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Isotherm: laps along the isotherms of a heated plate, refitted to smooth curves [HQS24].
+
+For pockets of soft, roundish outline, with or without islands, also where walls
+hide behind corners; the laps are the smoothest of all, but close to a wall that
+is far from the others they lie closer than they need.
+
+- The temperature comes from poisson.py, cold at the wall and at islands. The wall's
+  corners are rounded before by as much as the closing lap can take: isotherms crowd
+  at walls whose corners are sharp.
+- Laps are chosen from the wall inwards: the next one is the hottest isotherm of which
+  no point of the lap before is farther than the step-over (eq. 10).
+- Each isotherm is refitted with C2 Hermite quartic patches (hermite_quartic.py) within
+  a bound on the deviation, which is halved until the laps are nested.
+- Laps become spirals by eq. 11, along gradient lines (turns.py). Where the plate has
+  several hottest places there is a spiral about each; laps around them follow outside of
+  the saddle (nested.py). The paper spirals from one of them only.
+- In the middle a helix goes down; where that would mean many laps about a long ridge, or
+  where the ridge is closed about an island, a slot along the innermost isotherm that leaves
+  no post.
+
+The step-over is held, the engagement in bends is not: the report says how far.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import count
+
+import numpy as np
+import shapely
+from shapely import Polygon
+
+from ..errors import NotYetError
+from ..floor import FloorPath
+from ..fronts import oriented
+from ..isotherm_slots import core_of, core_share, slots_for
+from ..isotherms import (
+    Family,
+    Room,
+    distances,
+    family_of,
+    isotherms,
+    mover,
+    outer_room,
+    points_of,
+    rooms_at,
+)
+from ..model import PocketRequest, Tick
+from ..nested import Lap, path_through
+from .automatic import motion_of
+from .closing import corner_fillet
+
+#: Steps of the search for the next isotherm. It begins with this share of the temperature left, and
+#: ends where the distance is this close to the step-over; distances are measured from every so
+#: many points of a lap.
+BISECTIONS, FIRST_SHARE, CLOSE, THINNED = 14, 0.08, 0.97, 4
+#: A step of less than this share of the temperature left is no step.
+LEAST_STEP = 2e-3
+#: Below this share laps may creep along a neck; there these steps are tried with slots.
+SLOW = 0.03
+NECK_STEPS = (0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.01, 0.005)
+#: More laps than this are refused.
+MOST_LAPS = 300
+
+
+def floor_path(
+    region: Polygon, request: PocketRequest, tick: Tick, deviation: float | None = None
+) -> FloorPath:
+    """Make the spirals of one cutter-center region.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        Counter-clockwise.
+    request : PocketRequest
+    tick : callable
+        See `model.Tick`.
+    deviation : float, optional
+        Largest deviation of refitted laps [mm]; 0 for raw isotherms.
+
+    Raises
+    ------
+    NotYetError
+        If a place is too narrow for any isotherm, or the pocket takes too many laps.
+    CutterDoesNotFitError
+        If there is no room to go down.
+    """
+    region = oriented(shapely.simplify(region, 0.001))
+    fillet = corner_fillet(region, request.cutting.stepover)
+    family = family_of(region, request, fillet, deviation)
+    tick(0.1)
+    wall = laps_of(family, tick)
+    if request.cutting.finishing_lap:
+        wall = Lap(region, 0.0, (wall,))
+    return path_through(wall, region, request, motion_of(request), mover(family.field), tick)
+
+
+def laps_of(family: Family, tick: Tick) -> Lap:
+    """Return all laps, from the rounded wall inwards.
+
+    Raises
+    ------
+    NotYetError
+        See `floor_path`.
+    """
+    return _lap(family, outer_room(family), tick, count(1))
+
+
+def _lap(family: Family, room: Room, tick: Tick, counter: Iterator[int]) -> Lap:
+    """Return the lap about a room, with all inside of it."""
+    if next(counter) > MOST_LAPS:
+        place = room.region.representative_point()
+        raise NotYetError(
+            f"Isotherm would need more than {MOST_LAPS} laps.",
+            "Take a larger step-over or the strategy Automatic.",
+            (place.x, place.y),
+        )
+    tick(0.1 + 0.5 * (1 - room.region.area / family.region.area))
+    core = core_of(family, room)
+    if core is not None:
+        return core if core.region is room.region else Lap(room.region, room.level, (core,))
+    rooms, slots = _inner_rooms(family, room)
+    # the hottest first: its core is the first to be opened
+    inner = [_lap(family, one, tick, counter) for one in reversed(rooms)]
+    return Lap(room.region, room.level, (*inner, *slots))
+
+
+def _inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
+    """Return the rooms inside of the next laps, the hottest last, and slots for what they leave.
+
+    Raises
+    ------
+    NotYetError
+        If neither laps nor slots lead on.
+    """
+    _, hottest = room.peak(family.field)
+
+    def level(share: float) -> float:
+        return room.level + share * (hottest - room.level)
+
+    points = points_of(room.region)
+    some = points[::THINNED]
+
+    def farthest(share: float) -> float:
+        lines = isotherms(family.contours, room, level(share))
+        return float(distances(some, lines).max())
+
+    low = _largest(farthest, family.stepover)
+    if low < SLOW:
+        for share in NECK_STEPS:
+            lines = isotherms(family.contours, room, level(share))
+            slots = slots_for(family, room, lines, low > LEAST_STEP)
+            if slots:
+                return rooms_at(family, room, level(share)), slots
+    low = core_share(family, room, low, hottest)
+    while low > LEAST_STEP:
+        rooms = rooms_at(family, room, level(low))
+        if distances(points, [r.region for r in rooms]).max() <= family.stepover:
+            return rooms, []
+        low *= 0.97
+    off = distances(points, isotherms(family.contours, room, level(LEAST_STEP)))
+    x, y = points[int(np.argmax(off))]
+    raise NotYetError(
+        "The pocket is too narrow at {at} for Isotherm: no isotherm leads through.",
+        "Take a smaller cutter or the strategy Automatic.",
+        (float(x), float(y)),
+    )
+
+
+def _largest(distance: Callable[[float], float], most: float) -> float:
+    """Return the largest share in ``(0, 1)`` whose distance is at most `most`, nearly.
+
+    The distance rises with the share, from 0: about as its square root or evenly.
+    """
+    low, high, near = 0.0, 1.0, 0.0
+    guess = FIRST_SHARE
+    for _ in range(BISECTIONS):
+        far = distance(guess)
+        if far <= most:
+            low, near = guess, far
+            if far >= CLOSE * most:
+                break
+            ahead = guess * min((most / max(far, 1e-9)) ** 1.5, 8.0)
+            guess = min(ahead, (low + high) / 2) if high < 1.0 else min(ahead, (low + 1) / 2)
+        else:
+            high = guess
+            guess = low + (high - low) * max(0.1, min(0.7, (most - near) / (far - near)))
+    return low

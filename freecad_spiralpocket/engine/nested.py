@@ -1,0 +1,309 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From nested closed laps to one path, however they branch.
+
+Laps are a tree: the wall is the outermost lap, and each lap lies about one or more inner
+ones, down to the cores where the cutter goes in. A lap is the boundary of a region in
+which everything is cut; about islands it has inner rings.
+
+Rings that follow each other one to one are a chain, and a chain is one spiral (turns.py)
+that ends with a closed lap: it begins where its core's entry ends, or, where laps join or
+part, on a ring that is already cut, from which it goes over to its first ring in a short
+zone. Chains are ordered and linked like any strokes (ordering.py).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import partial
+from itertools import pairwise
+
+import numpy as np
+import shapely
+from shapely import Polygon
+
+from .cleared import ClearedMap
+from .floor import FloorPath, Helix, Pass, Slot
+from .linking import Motion, leave_wall
+from .model import Floats, PocketRequest, Tick
+from .ordering import Run, Step, order
+from .polyline import ring_from, simplified
+from .spiral import BLEND, spiral_through, zones
+from .starts import straightest
+from .strokes import Stroke
+from .toolpath import Role
+from .turns import Match, Ring, match, turn
+
+#: Points along a ring are so far apart [mm], partners are sought so far apart, over R.
+SPACING, PARTNERS = 0.25, 0.3
+#: A chain goes over to its first ring where that is no farther than this over the step-over.
+WIDEST = 1.3
+#: Points that matter less than this share of the tolerance are dropped.
+SLIM = 0.3
+#: Raster pixels across the cutter.
+PIXELS = 24
+
+#: Moves points from one level of the laps to another: (points, level, to level) -> points.
+Mover = Callable[[Floats, float, float], Floats]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Lap:
+    """A closed lap.
+
+    Attributes
+    ----------
+    region : shapely.Polygon
+        Cut when the lap is done; exterior counter-clockwise, interiors clockwise.
+    level : float
+        What the family of laps measures, for `Mover`.
+    inner : tuple of Lap
+        The next laps inside; none for a core.
+    entry : Helix, Slot or None
+        How the cutter goes into a core; it goes once round the region's exterior.
+    """
+
+    region: Polygon
+    level: float
+    inner: tuple[Lap, ...] = ()
+    entry: Helix | Slot | None = None
+
+
+@dataclass(slots=True, eq=False)
+class _Node:
+    """A ring of a lap; `before` are the rings that it leans on, `follows` the one it goes on."""
+
+    ring: Ring
+    level: float
+    lap: int
+    exterior: bool
+    wall: bool
+    core: Helix | Slot | None = None
+    before: list[_Node] = field(default_factory=list)
+    follows: _Node | None = None
+
+
+def path_through(
+    wall: Lap, region: Polygon, request: PocketRequest, motion: Motion, move: Mover, tick: Tick
+) -> FloorPath:
+    """Return the path through all laps.
+
+    Parameters
+    ----------
+    wall : Lap
+        The outermost lap. Where a finishing lap is wanted it is that lap: walked as it is, not
+        morphed to.
+    region : shapely.Polygon
+        The cutter-center region.
+    request : PocketRequest
+    motion : Motion
+        What limits links.
+    move : callable
+        See `Mover`.
+    tick : callable
+        See `model.Tick`.
+    """
+    radius = request.cutter_radius
+    laps = _inner_first(wall)
+    nodes = _nodes(laps, request.cutting.finishing_lap)
+    chains = _chains(nodes)
+    walkers = []
+    for done, chain in enumerate(chains):
+        tick(0.6 + 0.2 * done / len(chains))
+        walkers.append(_Walker(chain, move, request))
+    number = {id(node): i for i, node in enumerate(nodes)}
+    home = {id(node): r for r, chain in enumerate(chains) for node in chain}
+    runs = [
+        Run(
+            tuple(number[id(node)] for node in chain),
+            tuple(partial(walker.walk, way) for way in range(len(walker.starts))),
+            walker.starts,
+            walker.headings,
+            frozenset({home[id(b)] for node in chain for b in node.before} - {r}),
+        )
+        for r, (chain, walker) in enumerate(zip(chains, walkers, strict=True))
+    ]
+    strokes = [Stroke(n.ring.points[:-1], n.lap, True, n.exterior) for n in nodes]
+    regions = [lap.region for lap in laps]
+    pixel = request.tool_diameter / PIXELS
+    cleared = ClearedMap(regions, strokes, region, [], radius, pixel)
+    start, heading = walkers[0].starts[0], walkers[0].headings[0]
+    steps = order(runs, cleared, region, start, heading, motion, radius, partial(tick, 0.9))
+    passes = _passes(steps, walkers, region, request)
+    entry, *rest = passes
+    assert not isinstance(entry, Pass)  # the first run is the one where the first core ends
+    return FloorPath(entry, tuple(rest))
+
+
+def _inner_first(lap: Lap) -> list[Lap]:
+    """Return a lap after all that are inside of it; the first is a core."""
+    return [one for inner in lap.inner for one in _inner_first(inner)] + [lap]
+
+
+def _nodes(laps: list[Lap], finishing: bool) -> list[_Node]:
+    """Return the rings of all laps, laps inner first, each with what it leans on."""
+    of_lap: dict[int, list[_Node]] = {}
+    for i, lap in enumerate(laps):
+        rings = (lap.region.exterior, *lap.region.interiors)
+        wall = finishing and lap is laps[-1]
+        of_lap[id(lap)] = [
+            _Node(
+                Ring.of(np.asarray(r.coords)), lap.level, i, k == 0, wall, None if k else lap.entry
+            )
+            for k, r in enumerate(rings)
+        ]
+        if lap.entry is not None:  # the entry goes round the outer ring
+            for inner in of_lap[id(lap)][1:]:
+                inner.before = of_lap[id(lap)][:1]
+    for lap in laps:
+        _lean([of_lap[id(inner)] for inner in lap.inner], of_lap[id(lap)])
+    return [node for lap in laps for node in of_lap[id(lap)]]
+
+
+def _lean(inner: list[list[_Node]], outer: list[_Node]) -> None:
+    """Tell the rings of a lap what they lean on among those of the laps inside."""
+    if not inner:
+        return
+    outer[0].before = [nodes[0] for nodes in inner]
+    holes = [(hole, Polygon(hole.ring.points)) for nodes in inner for hole in nodes[1:]]
+    about = []
+    for node in outer[1:]:
+        place = shapely.Point(node.ring.points[0])
+        about.append(next((hole for hole, shape in holes if shape.contains(place)), None))
+    for node, hole in zip(outer[1:], about, strict=True):
+        node.before = outer[0].before if hole is None else [hole]
+        if hole is not None and about.count(hole) == 1:
+            node.follows = hole
+    # a lap that closes about an island parts: its outer ring is not all of the ring before
+    if len(inner) == 1 and None not in about:
+        outer[0].follows = inner[0][0]
+
+
+def _chains(nodes: list[_Node]) -> list[list[_Node]]:
+    """Return the rings that follow each other one to one."""
+    chains: list[list[_Node]] = []
+    of: dict[int, list[_Node]] = {}
+    for node in nodes:
+        chain = of.get(id(node.follows), [])
+        if not chain:
+            chains.append(chain)
+        chain.append(node)
+        of[id(node)] = chain
+    return chains
+
+
+class _Walker:
+    """Walks one chain: a spiral through its rings, and a closed lap.
+
+    Attributes
+    ----------
+    starts, headings : ndarray of shape (w, 2)
+        Where the ways to walk it begin, and their directions.
+    last : int
+        Points of the closed lap at the end, once walked.
+    """
+
+    def __init__(self, chain: list[_Node], move: Mover, request: PocketRequest) -> None:
+        self.chain, self.request, self.last = chain, request, 0
+        #: The rings to morph through; a finishing lap is walked as it is.
+        self.rings = [node.ring for node in chain if not node.wall]
+        nodes = chain[: len(self.rings)]
+        self.matches = [
+            _match(a, b, move, PARTNERS * request.cutter_radius) for a, b in pairwise(nodes)
+        ]
+        self.sources = self._sources()
+        places = [(ring.at(np.array([s, s + SPACING]))) for ring, s in self.sources]
+        self.starts = np.array([p[0] for p in places])
+        ahead = np.array([p[1] - p[0] for p in places])
+        self.headings = ahead / np.hypot(*ahead.T)[:, None]
+
+    @property
+    def entry(self) -> Helix | Slot | None:
+        """Return how the cutter goes in where the chain begins; None if it comes by a link."""
+        first = self.chain[0]
+        if first.core is None:
+            return None
+        if isinstance(first.core, Slot):
+            return Slot(ring_from(first.ring.points[:-1], self.starts[0])[:-1], first.core.bite)
+        x, y = self.starts[0] - first.core.center
+        return Helix(first.core.center, first.core.radius, math.atan2(y, x))
+
+    def _sources(self) -> list[tuple[Ring, float]]:
+        """Return the rings on which the walk may begin, and where."""
+        radius, stepover = self.request.cutter_radius, self.request.cutting.stepover
+        first = self.chain[0]
+        if first.core is not None:
+            place = straightest(self.rings[-1].line, BLEND * radius)
+            for matched in reversed(self.matches):
+                place = float(matched.inwards(np.array(place)))
+            return [(first.ring, place)]
+        found = []
+        for source in first.before:
+            at = zones(source.ring.line, first.ring.line, radius, WIDEST * stepover)
+            found += [(source.ring, float(s)) for s in at]
+        return found
+
+    def walk(self, way: int) -> Floats:
+        """Return the points of one way, shape (n, 2) [mm]."""
+        source, place = self.sources[way]
+        pieces = [source.at(np.array([place]))]
+        if source is not self.rings[0]:
+            over = spiral_through(
+                source.line, place, [self.rings[0].line], self.request.cutter_radius
+            )
+            pieces = [over]
+            place = float(self.rings[0].locate(over[-1:])[0])
+        for inner, outer, matched in zip(
+            self.rings[:-1], self.rings[1:], self.matches, strict=True
+        ):
+            points, place = turn(inner, outer, matched, place, SPACING)
+            pieces.append(points[1:])
+        lap = self._closed_lap(place)
+        self.last = len(lap)
+        return np.vstack([*pieces, lap])
+
+    def _closed_lap(self, place: float) -> Floats:
+        """Return the lap that closes the chain, from a place on its last ring."""
+        ring = self.rings[-1]
+        if self.chain[-1].wall:
+            wall = self.chain[-1].ring.points
+            return ring_from(wall[:-1], ring.at(np.array([place]))[0])
+        count = max(32, math.ceil(ring.length / SPACING))
+        return ring.at(place + np.arange(1, count + 1) * ring.length / count)
+
+
+def _match(inner: _Node, outer: _Node, move: Mover, spacing: float) -> Match:
+    """Return the partners on two rings, along the way in which `move` goes."""
+    count = max(48, math.ceil(outer.ring.length / spacing))
+    places = np.arange(count) * outer.ring.length / count
+    points = outer.ring.at(places)
+    if not isinstance(inner.core, Helix):  # to a circle the nearest way is the radial one
+        points = move(points, outer.level, inner.level)
+    return match(inner.ring, outer.ring, places, points)
+
+
+def _passes(
+    steps: list[Step], walkers: list[_Walker], region: Polygon, request: PocketRequest
+) -> list[Pass | Helix | Slot]:
+    """Return what is cut in order, with links, lifts and entries."""
+    slack = SLIM * request.tolerance
+    passes: list[Pass | Helix | Slot] = []
+    for step in steps:
+        walker = walkers[step.run]
+        entry = walker.entry
+        if entry is not None:
+            passes.append(entry)
+        elif step.link is None:
+            passes.append(Pass(step.points[:1], Role.AIR))
+        else:
+            passes.append(Pass(simplified(step.link, slack), Role.LINK))
+        if not walker.chain[-1].wall:
+            passes.append(Pass(simplified(step.points, slack), Role.CUT))
+            continue
+        spiral, lap = step.points[: -walker.last], step.points[-walker.last :]
+        if len(spiral) > 1:
+            passes.append(Pass(simplified(spiral, slack), Role.CUT))
+        passes.append(Pass(simplified(lap, slack), Role.FINISH))
+    leave = leave_wall(steps[-1].points, region, request.cutter_radius)
+    return [*passes, Pass(leave, Role.LINK)]

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The temperature of an evenly heated plate whose walls are kept cold.
+
+Solves ``-div(grad T) = 1`` in a region with ``T = 0`` on its boundary and on its
+islands, on a square grid. Where the boundary cuts a grid line between two nodes, the
+distances to the wall itself stand in the difference quotients (G. H. Shortley and R.
+Weller, J. Appl. Phys. 9, 1938), so that the solution is second-order accurate at
+curved walls too. Just outside of the wall the temperature goes on as a parabola, so
+that isotherms close to the wall come out as smoothly as others.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import map_coordinates
+from shapely import Polygon
+
+from .model import Floats
+
+#: The wall is never taken nearer to a node than this share of the spacing.
+NEAREST = 1e-6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HeatField:
+    """Temperatures on a square grid.
+
+    Attributes
+    ----------
+    origin : ndarray of shape (2,)
+        Of node ``[0, 0]`` [mm].
+    spacing : float
+        [mm]
+    values : ndarray of shape (ny, nx)
+        Temperature [mm2]; goes on a node beyond the wall, nan farther out.
+    inside : ndarray of bool, shape (ny, nx)
+    slopes : ndarray of shape (2, ny, nx)
+        Derivatives to x and y [mm].
+    """
+
+    origin: Floats
+    spacing: float
+    values: Floats
+    inside: NDArray[np.bool_]
+    slopes: Floats
+
+    @property
+    def xy(self) -> tuple[Floats, Floats]:
+        """Return the coordinates of columns and rows [mm]."""
+        rows, columns = self.values.shape
+        x0, y0 = self.origin
+        return x0 + self.spacing * np.arange(columns), y0 + self.spacing * np.arange(rows)
+
+    def at(self, points: Floats) -> Floats:
+        """Return the temperature at points of shape (n, 2) inside the region [mm2]."""
+        return self._interpolated(self.values, points)
+
+    def gradient(self, points: Floats) -> Floats:
+        """Return the gradient at points of shape (n, 2) inside the region, shape (n, 2) [mm]."""
+        return np.column_stack([self._interpolated(s, points) for s in self.slopes])
+
+    def _interpolated(self, values: Floats, points: Floats) -> Floats:
+        at = (points - self.origin) / self.spacing
+        filled = np.nan_to_num(values)
+        return np.asarray(map_coordinates(filled, [at[:, 1], at[:, 0]], order=1, mode="nearest"))
+
+
+def solve(region: Polygon, spacing: float) -> HeatField:
+    """Return the temperature in a region.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+    spacing : float
+        Of the nodes [mm].
+
+    Notes
+    -----
+    Sparse factorization; 12,000 nodes take about 0.1 s.
+    """
+    x0, y0, x1, y1 = region.bounds
+    # off the corners, where nodes would lie on the wall
+    origin = np.array([x0 - 2.37 * spacing, y0 - 2.41 * spacing])
+    shape = (math.ceil((y1 - origin[1]) / spacing) + 3, math.ceil((x1 - origin[0]) / spacing) + 3)
+    rings = [
+        (np.asarray(r.coords) - origin) / spacing for r in (region.exterior, *region.interiors)
+    ]
+    inside, west, east = _row_walls(rings, shape)
+    _, south, north = _row_walls([r[:, ::-1] for r in rings], shape[::-1])
+    gaps = np.stack([west, east, south.T, north.T])
+    values = _temperatures(inside, gaps) * spacing**2
+    values = _beyond_walls(values, inside, gaps)
+    return HeatField(origin, spacing, values, inside, _slopes(values) / spacing)
+
+
+def _row_walls(
+    rings: list[Floats], shape: tuple[int, int]
+) -> tuple[NDArray[np.bool_], Floats, Floats]:
+    """Return which nodes are inside, and the way from each to the walls before and after it.
+
+    Rings in units of the spacing; ways along the rows, at most 1.
+    """
+    rows, columns = shape
+    lines, places = [], []
+    for points in rings:
+        a, b = points[:-1], points[1:]
+        low = np.ceil(np.minimum(a[:, 1], b[:, 1])).astype(int)
+        high = np.ceil(np.maximum(a[:, 1], b[:, 1])).astype(int)  # half open: low <= row < high
+        counts = high - low
+        edge = np.repeat(np.arange(len(a)), counts)
+        row = low[edge] + np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts)
+        share = (row - a[edge, 1]) / (b[edge, 1] - a[edge, 1])
+        lines.append(row)
+        places.append(a[edge, 0] + share * (b[edge, 0] - a[edge, 0]))
+    # one sorted axis: rows one after the other, far enough apart
+    period = 4.0 * columns
+    walls = np.sort(np.concatenate(lines) * period + np.concatenate(places))
+    walls = np.concatenate([[-np.inf], walls, [np.inf]])
+    nodes = np.arange(rows)[:, None] * period + np.arange(columns)[None, :]
+    after = np.searchsorted(walls, nodes)
+    inside = (after - 1) % 2 == 1
+    west = np.clip(nodes - walls[after - 1], NEAREST, 1.0)
+    east = np.clip(walls[after] - nodes, NEAREST, 1.0)
+    return inside, west, east
+
+
+#: Steps to the neighbors in the order west, east, south, north: rows, columns.
+_STEPS = ((0, -1), (0, 1), (-1, 0), (1, 0))
+
+
+def _temperatures(inside: NDArray[np.bool_], gaps: Floats) -> Floats:
+    """Solve the difference equations; unit spacing, 0 outside."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.linalg import splu
+
+    index = np.full(inside.shape, -1)
+    rows, columns = np.nonzero(inside)
+    count = len(rows)
+    index[rows, columns] = np.arange(count)
+    ways = gaps[:, rows, columns]
+    diagonal = np.zeros(count)
+    heads, tails, weights = [np.arange(count)], [np.arange(count)], [diagonal]
+    for k, (dr, dc) in enumerate(_STEPS):
+        weight = 2.0 / (ways[k] * (ways[k] + ways[k ^ 1]))
+        diagonal += weight
+        other = index[rows + dr, columns + dc]
+        near = (ways[k] >= 1.0) & (other >= 0)
+        heads.append(np.flatnonzero(near))
+        tails.append(other[near])
+        weights.append(-weight[near])
+    matrix = coo_array(
+        (np.concatenate(weights), (np.concatenate(heads), np.concatenate(tails))),
+        shape=(count, count),
+    )
+    factors = splu(
+        matrix.tocsc(),
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
+    )
+    values = np.zeros(inside.shape)
+    values[rows, columns] = factors.solve(np.ones(count))
+    return values
+
+
+def _beyond_walls(values: Floats, inside: NDArray[np.bool_], gaps: Floats) -> Floats:
+    """Return values that go on outside of the walls, nan where no cell reaches inside."""
+    total, count = np.zeros(values.shape), np.zeros(values.shape)
+    for k, (dr, dc) in enumerate(_STEPS):
+        rows, columns = np.nonzero(inside & (gaps[k] < 1.0))
+        way, behind = gaps[k, rows, columns], gaps[k ^ 1, rows, columns]
+        here = values[rows, columns]
+        # behind: the next node, or the other wall
+        there = np.where(behind >= 1.0, values[rows - dr, columns - dc], 0.0)
+        slope = -here / way
+        bend = (slope - (here - there) / behind) / (way + behind)
+        beyond = slope * (1 - way) + bend * (1 - way)
+        np.add.at(total, (rows + dr, columns + dc), beyond)
+        np.add.at(count, (rows + dr, columns + dc), 1)
+    known = inside | (count > 0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        values = np.where(inside, values, np.where(count > 0, total / count, np.nan))
+    return _fill_corners(values, known)
+
+
+def _fill_corners(values: Floats, known: NDArray[np.bool_]) -> Floats:
+    """Fill the fourth corner of cells of which three are known, as a plane."""
+    total, count = np.zeros(values.shape), np.zeros(values.shape)
+    for dr in (-1, 1):
+        for dc in (-1, 1):
+            beside = np.roll(values, dr, axis=0), np.roll(values, dc, axis=1)
+            guess = beside[0] + beside[1] - np.roll(values, (dr, dc), axis=(0, 1))
+            usable = ~known & np.isfinite(guess)
+            total[usable] += guess[usable]
+            count[usable] += 1
+    filled = values.copy()
+    filled[count > 0] = total[count > 0] / count[count > 0]
+    return filled
+
+
+def _slopes(values: Floats) -> Floats:
+    """Return the derivatives to x and y, one-sided at the edge of what is known; unit spacing."""
+    slopes = []
+    for axis in (1, 0):
+        ahead = np.roll(values, -1, axis=axis) - values
+        behind = values - np.roll(values, 1, axis=axis)
+        middle = (ahead + behind) / 2
+        one = np.where(np.isfinite(ahead), ahead, behind)
+        slopes.append(np.where(np.isfinite(middle), middle, one))
+    return np.stack(slopes)

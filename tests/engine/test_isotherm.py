@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Isotherms: the field against closed forms, the refit, the choice of laps, the whole path."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from shapely import LineString, Point, Polygon, box
+from shapes import CIRCLE, DUMBBELL, L_SHAPE, PENTAGON, RING, SQUARE, TRIANGLE, convex_pockets
+from shapes import request as make_request
+
+from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetError
+from freecad_spiralpocket.engine.floor import Helix, Pass, Slot
+from freecad_spiralpocket.engine.hermite_quartic import fit_closed
+from freecad_spiralpocket.engine.isotherms import distances, family_of, mover, points_of
+from freecad_spiralpocket.engine.laps import isotherm
+from freecad_spiralpocket.engine.model import Strategy
+from freecad_spiralpocket.engine.planner import plan
+from freecad_spiralpocket.engine.poisson import solve
+from freecad_spiralpocket.engine.region import center_regions
+from freecad_spiralpocket.engine.toolpath import Role
+from freecad_spiralpocket.engine.turns import EASE, Ring, match, rise, turn
+
+STEP = 2.4
+#: Two lobes of one size with a wide waist: two summits and a saddle.
+TWO_LOBES = Point(-26, 0).buffer(24).union(Point(26, 0).buffer(24)).union(box(-26, -14, 26, 14))
+ROUND_RING = Point(0, 0).buffer(40, quad_segs=64).difference(Point(0, 0).buffer(14, quad_segs=64))
+TWO_ISLANDS = box(0, 0, 90, 60).difference(Point(25, 30).buffer(8)).difference(box(55, 20, 70, 38))
+
+
+def no_tick(done: float) -> None:
+    """Never cancel."""
+
+
+def laps_of(pocket: Polygon, deviation: float | None = None):
+    region = center_regions(pocket, 3.0, 0.0)[0]
+    family = family_of(region, make_request(pocket), 3.0, deviation)
+    return family, isotherm.laps_of(family, no_tick)
+
+
+def path_of(pocket: Polygon, **changes):
+    region = center_regions(pocket, 3.0, 0.0)[0]
+    return region, isotherm.floor_path(region, make_request(pocket, **changes), no_tick)
+
+
+def pairs(lap):
+    """Yield each lap with the laps inside of it."""
+    yield lap, lap.inner
+    for inner in lap.inner:
+        yield from pairs(inner)
+
+
+def ring_temperature(r: np.ndarray, inner: float, outer: float) -> np.ndarray:
+    """Return the closed form in an annulus."""
+    free = (outer**2 - r**2) / 4
+    return free + (inner**2 - outer**2) / 4 * np.log(r / outer) / np.log(inner / outer)
+
+
+def errors(region: Polygon, center, exact, spacings) -> list[float]:
+    found = []
+    for spacing in spacings:
+        field = solve(region, spacing)
+        x, y = np.meshgrid(*field.xy)
+        r = np.hypot(x - center[0], y - center[1])
+        found.append(float(np.abs(field.values - exact(r))[field.inside].max()))
+    return found
+
+
+def test_field_in_a_disc_is_exact():
+    disc = Point(0.3, 0.2).buffer(10, quad_segs=2000)
+    assert errors(disc, (0.3, 0.2), lambda r: (100 - r**2) / 4, [0.7])[0] < 1e-4
+
+
+def test_field_in_an_annulus_converges_with_second_order():
+    center = (0.3, 0.2)
+    annulus = Point(center).buffer(10, quad_segs=2000)
+    annulus = annulus.difference(Point(center).buffer(3, quad_segs=2000))
+    coarse, middle, fine = errors(
+        annulus, center, lambda r: ring_temperature(r, 3, 10), [0.5, 0.25, 0.125]
+    )
+    assert coarse / middle > 3.4
+    assert middle / fine > 3.4
+    assert fine < 1e-3
+
+
+def test_points_move_along_gradient_lines_to_the_isotherm_asked_for():
+    disc = Point(0, 0).buffer(20, quad_segs=500)
+    field = solve(disc, 0.4)
+    angles = np.linspace(0, 2 * np.pi, 40)
+    spokes = np.column_stack([np.cos(angles), np.sin(angles)])
+    moved = mover(field)(18 * spokes, (400 - 18**2) / 4, (400 - 15**2) / 4)
+    np.testing.assert_allclose(moved, 15 * spokes, atol=0.02)
+
+
+def wavy(phase: float, waves: int, depth: float) -> np.ndarray:
+    t = np.linspace(0, 2 * np.pi, 600, endpoint=False)
+    r = 1 + depth * np.cos(waves * t + phase)
+    return np.column_stack([40 * r * np.cos(t), 25 * r * np.sin(t)])
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.floats(0, 6.28), st.integers(2, 5), st.floats(0, 0.25), st.sampled_from([0.5, 0.1, 0.02]))
+def test_refitted_curve_keeps_the_bound_and_is_c2_all_round(phase, waves, depth, deviation):
+    points = wavy(phase, waves, depth)
+    curve = fit_closed(points, deviation)
+    ring = LineString(curve.sample(0.05))
+    assert max(ring.distance(Point(p)) for p in points[::7]) <= 1.01 * deviation + 1e-4
+    breaks, eps = curve.breaks[:-1], 1e-8
+    for order in (0, 1, 2):
+        before, after = curve.at(breaks - eps, order), curve.at(breaks + eps, order)
+        assert np.abs(after - before).max() < 1e-4 * (1 + np.abs(after).max())
+
+
+def test_patches_are_those_of_the_paper():
+    curve = fit_closed(wavy(0.4, 3, 0.2), 0.1)
+    points, tangents, bulges = curve.patches()
+    u = np.linspace(0, 1, 9)[:, None]
+    for i, span in enumerate(np.diff(curve.breaks)):
+        p0, p1 = points[i], points[i + 1]
+        t0, t1 = span * tangents[i], span * tangents[i + 1]
+        # alpha and beta of HQS24 eq. 6, from w = alpha (P0 - P1) + beta (T0 - T1)
+        alpha, beta = np.linalg.solve(np.column_stack([p0 - p1, t0 - t1]), bulges[i])
+        a0 = 1 + (alpha - 3) * u**2 + 2 * (1 - alpha) * u**3 + alpha * u**4
+        b0 = u + (beta - 2) * u**2 + (1 - 2 * beta) * u**3 + beta * u**4
+        b1 = -(beta + 1) * u**2 + (2 * beta + 1) * u**3 - beta * u**4
+        paper = a0 * p0 + (1 - a0) * p1 + b0 * t0 + b1 * t1
+        ours = curve.at(curve.breaks[i] + span * u[:, 0])
+        np.testing.assert_allclose(paper, ours, atol=1e-8)
+
+
+def test_fewer_patches_for_a_wider_bound():
+    counts = [len(fit_closed(wavy(0, 4, 0.2), d).breaks) for d in (1.0, 0.3, 0.1, 0.03)]
+    assert counts == sorted(counts)
+    assert counts[0] < 20
+
+
+def test_turns_join_with_equal_tangent_and_curvature():
+    u = np.array([0.0, 1.0])
+    h = 1e-4
+    assert (rise(u) == u).all()
+    np.testing.assert_allclose([rise(np.array(h)), 1 - rise(np.array(1 - h))], 0, atol=h**2)
+    np.testing.assert_allclose(
+        rise(u * (1 - 2 * EASE) + EASE), [EASE / 2 / (1 - EASE)] * 1 + [1 - EASE / 2 / (1 - EASE)]
+    )
+
+
+def test_turn_between_circles_is_one_even_turn_of_a_spiral():
+    angles = np.linspace(0, 2 * np.pi, 400)
+    spokes = np.column_stack([np.cos(angles), np.sin(angles)])
+    inner, outer = Ring.of(10 * spokes), Ring.of(12 * spokes)
+    places = np.arange(100) * outer.length / 100
+    matched = match(inner, outer, places, outer.at(places) * 10 / 12)
+    points, _ = turn(inner, outer, matched, 3.0, 0.25)
+    radii = np.hypot(*points.T)
+    assert radii[0] == pytest.approx(10, abs=1e-2)
+    assert radii[-1] == pytest.approx(12, abs=1e-2)
+    assert (np.diff(radii) > -1e-3).all()
+    np.testing.assert_allclose(points[0] / radii[0], points[-1] / radii[-1], atol=1e-2)
+
+
+@pytest.mark.parametrize("pocket", [SQUARE, TRIANGLE, L_SHAPE, RING, TWO_LOBES, TWO_ISLANDS])
+def test_laps_are_nested_and_no_farther_apart_than_the_step_over(pocket):
+    family, wall = laps_of(pocket)
+    for lap, inner in pairs(wall):
+        assert family.region.buffer(0.011).covers(lap.region)
+        for one in inner:
+            if not isinstance(one.entry, Helix):
+                assert lap.region.buffer(1e-6).covers(one.region)
+        if inner:
+            regions = [one.region for one in inner]
+            assert distances(points_of(lap.region), regions).max() < 1.05 * STEP
+
+
+def test_refitted_laps_keep_to_their_isotherms():
+    family, wall = laps_of(PENTAGON, deviation=0.1)
+    for lap, _ in pairs(wall):
+        if not math.isnan(lap.level):
+            points = points_of(lap.region)
+            slope = np.hypot(*family.field.gradient(points).T)
+            off = np.abs(family.field.at(points) - lap.level) / np.maximum(slope, 0.5)
+            assert off.max() < 0.1 + 0.05
+
+
+def test_raw_isotherms_are_kept_as_a_choice():
+    family, wall = laps_of(PENTAGON, deviation=0.0)
+    level = wall.inner[0].level
+    np.testing.assert_allclose(family.field.at(points_of(wall.inner[0].region)), level, rtol=0.05)
+
+
+def test_two_summits_give_two_spirals_and_laps_around_both():
+    _, path = path_of(TWO_LOBES)
+    entries = [path.entry, *(p for p in path.passes if not isinstance(p, Pass))]
+    assert len(entries) == 2
+    assert all(isinstance(entry, Helix) for entry in entries)
+    assert entries[0].center[0] * entries[1].center[0] < 0
+
+
+def test_a_level_ridge_round_an_island_is_opened_by_a_slot():
+    _, path = path_of(ROUND_RING)
+    assert isinstance(path.entry, Slot)
+    assert Polygon(path.entry.ring).contains(Point(0, 0))
+    assert all(isinstance(p, Pass) for p in path.passes)
+
+
+@pytest.mark.parametrize(
+    "pocket", [CIRCLE, SQUARE, L_SHAPE, RING, ROUND_RING, DUMBBELL, TWO_LOBES, TWO_ISLANDS]
+)
+def test_everything_is_cleared_and_nothing_gouged(pocket):
+    report = plan(make_request(pocket, strategy=Strategy.ISOTHERM)).report
+    assert report.uncut_area < 1e-3
+    assert report.gouge < 0.01
+    assert report.rapid_hit < 0.1
+    assert report.link_hit < 0.1
+
+
+@settings(max_examples=8, deadline=None, suppress_health_check=list(HealthCheck))
+@given(convex_pockets())
+def test_any_convex_pocket_gets_laps_inside_its_region(pocket):
+    regions = center_regions(pocket, 3.0, 0.0)
+    try:
+        path = isotherm.floor_path(regions[0], make_request(pocket), no_tick)
+    except CutterDoesNotFitError:
+        assert regions[0].buffer(-0.2).is_empty
+        return
+    fence = regions[0].buffer(0.01)
+    for part in path.passes:
+        if isinstance(part, Pass) and part.role in (Role.CUT, Role.FINISH):
+            assert fence.covers(LineString(part.points))
+
+
+def test_a_neck_without_room_for_isotherms_is_refused_with_its_place():
+    rooms = box(0, 0, 40, 40).union(box(44, 0, 84, 40)).union(box(39, 17, 45, 23.02))
+    with pytest.raises(NotYetError, match=r"too narrow at X4\d\.\d Y20") as caught:
+        path_of(rooms)
+    assert caught.value.hint
