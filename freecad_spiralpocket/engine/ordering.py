@@ -267,7 +267,7 @@ def _next(
             m, h = np.unravel_index(flat, times.shape)
             i = tried[int(m)]
             fine = hermite_links(start, heading, starts[[i]], headings[[i]], radius, FINE)[0, h]
-            if fence.covers(LineString(fine)):
+            if cleared.are_free(fine) and fence.covers(LineString(fine)):
                 return fine, i
     for i in ready[:ROUTED]:
         found = route(start, heading, starts[i], headings[i], cleared, fence, radius)
