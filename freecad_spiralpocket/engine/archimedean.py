@@ -15,6 +15,7 @@ from itertools import pairwise
 
 import numpy as np
 import shapely
+from scipy.ndimage import gaussian_filter1d
 from shapely import LineString, Polygon
 
 from .coverable import Center
@@ -25,6 +26,10 @@ from .strokes import CHORD
 
 #: Curvature is measured over this length to both sides, over R.
 WINDOW = 0.5
+#: Radius of the inside of bends, over R, where the laps' distance exceeds that of the center.
+ROUNDING = 0.5
+#: Jumps of the shortest way between two laps are smoothed over this length [mm].
+SMOOTHING = 1.0
 #: Chords of a lap keep within this [mm].
 SAG = 0.003
 
@@ -63,7 +68,7 @@ class Spiral:
             count = _count(outer)
             share = np.arange(1, count + 1) / count
             onto = points_at(outer, (begin + share * outer.length) % outer.length)
-            foot = points_at(inner, shapely.line_locate_point(inner, shapely.points(onto)))
+            foot = points_at(inner, _feet(inner, onto, outer.length / count))
             pieces.append(foot + share[:, None] * (onto - foot))
             here = onto[-1:]
         last = rings[-1]
@@ -82,13 +87,29 @@ class Spiral:
         return float(rings[-1].project(shapely.Point(here)))
 
 
+def _feet(ring: LineString, points: Floats, spacing: float) -> Floats:
+    """Return where on a closed line points around it have their feet, never going back [mm].
+
+    On the inside of a bend that is tighter than the points' distance the nearest places run
+    back and jump: they wait and are smoothed instead.
+    """
+    feet = shapely.line_locate_point(ring, shapely.points(points))
+    steps = np.diff(feet, prepend=feet[-1])
+    steps = (steps + ring.length / 2) % ring.length - ring.length / 2
+    ahead = feet[-1] - ring.length + np.cumsum(steps)
+    # once round and a little more at both ends, so that they meet
+    thrice = np.concatenate([ahead - ring.length, ahead, ahead + ring.length])
+    thrice = gaussian_filter1d(np.maximum.accumulate(thrice), SMOOTHING / spacing)
+    return np.asarray(thrice[len(points) : 2 * len(points)] % ring.length)
+
+
 def _count(ring: LineString) -> int:
     """Return the number of points of a lap: chords of a circle as long keep within `SAG`."""
     chord = min(CHORD, math.sqrt(8 * SAG * ring.length / (2 * math.pi)))
     return max(16, math.ceil(ring.length / chord))
 
 
-def spiral_about(center: Center, half_width: float, stepover: float) -> Spiral:
+def spiral_about(center: Center, half_width: float, stepover: float, radius: float) -> Spiral:
     """Return the spiral about a center.
 
     Parameters
@@ -96,11 +117,13 @@ def spiral_about(center: Center, half_width: float, stepover: float) -> Spiral:
     center : Center
     half_width : float
         Distance from which it starts: so far the center is open [mm].
-    stepover : float
-        b [mm].
+    stepover, radius : float
+        b and R [mm].
     """
+    rounding = ROUNDING * radius
     shapes = [
-        oriented(buffer(center.curve, half_width + k * stepover)) for k in range(center.laps + 1)
+        oriented(buffer(buffer(center.curve, half_width + k * stepover + rounding), -rounding))
+        for k in range(center.laps + 1)
     ]
     return Spiral(center, tuple(Polygon(s.exterior) for s in shapes))
 

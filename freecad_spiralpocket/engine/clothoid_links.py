@@ -159,6 +159,13 @@ def _is_free(points: Floats, cleared: ClearedMap) -> bool:
     return bool(cleared.are_free(fine))
 
 
+def turn_away(place: Place, radius: float) -> ClothoidPath:
+    """Return the clothoids that leave a place to the left, away from the stock."""
+    length, tight = LEADS[1][0] * radius, LEADS[1][1] / radius
+    path = begin(place.point, place.heading, place.curvature)
+    return path.then(length, tight).then(length, 0.0)
+
+
 def _leads(
     start: Place, end: Place, lead: tuple[float, float], radius: float
 ) -> tuple[ClothoidPath, ClothoidPath]:

@@ -27,15 +27,16 @@ from .model import Floats
 from .polyline import points_at
 from .skeleton import Skeleton, longest_route
 
-#: Centers are smoothed over these lengths, over R: the first that costs no lap.
-SMOOTHINGS = (1.0, 0.4, 0.15, 0.0)
+#: Centers are smoothed over these lengths, over R: the first that costs no lap. Laps on the inside
+#: of a bend have a kink where it is tighter than their distance.
+SMOOTHINGS = (6.0, 4.0, 2.5, 1.5, 1.0, 0.6, 0.3, 0.0)
 #: A center shorter than this, over R, is a point.
 POINT = 1.0
 #: A piece that covers less than this share of the region, or takes fewer laps, is left to what
 #: follows the spirals.
 LEAST_SHARE, FEWEST = 0.06, 3
 #: A channel is longer than this over its greatest half width; it is worth opening without laps.
-SLIM = 3.0
+SLIM = 2.0
 #: Centers keep off each other by this, over R, so that what is opened about them does not merge.
 APART = 3.2
 #: Slices below the first lap, over the half width of the opened center: narrow channels.
@@ -175,13 +176,16 @@ def _center(
 
 
 def _smoothed(raw: LineString, width: float) -> LineString:
-    """Return a line smoothed over `width` [mm]."""
+    """Return a line smoothed over `width` [mm], its ends where they are."""
     if width == 0:
         return raw
     count = max(4, int(raw.length / SPACING))
     points = points_at(raw, np.linspace(0.0, raw.length, count))
+    # mirrored at its ends, it goes straight on there
+    before, after = 2 * points[0] - points[:0:-1], 2 * points[-1] - points[-2::-1]
     sigma = width * count / raw.length
-    return LineString(gaussian_filter1d(points, sigma, axis=0, mode="nearest"))
+    smooth = gaussian_filter1d(np.vstack([before, points, after]), sigma, axis=0, mode="nearest")
+    return LineString(smooth[count - 1 : 2 * count - 1])
 
 
 def _is_worth_it(axis: Skeleton, center: Center, share: float) -> bool:

@@ -26,7 +26,7 @@ from shapely import LineString, Polygon
 
 from ..archimedean import Spiral, bend_at, spiral_about
 from ..cleared import ClearedMap
-from ..clothoid_links import Place, clothoid_link, clothoid_way
+from ..clothoid_links import Place, clothoid_link, clothoid_way, turn_away
 from ..clothoids import ClothoidPath
 from ..errors import NotYetError
 from ..floor import FloorPath
@@ -48,6 +48,8 @@ BEGINNINGS = 12
 ROUTED = 4
 #: A spiral whose first lap passes this near begins without a link [mm].
 TOUCHES = 0.05
+#: It comes to its own over this length [mm].
+MERGES = 5.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -102,7 +104,7 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
     axis = medial_axis(region)
     opening = open_centers(region, axis, request)
     tick(0.2)
-    spirals = _in_order(opening, axis, request.cutting.stepover)
+    spirals = _in_order(opening, axis, request)
     fronts, laps = [oriented(opening.start.visited)], []
     for i, spiral in enumerate(spirals):
         for within in spiral.within[1:]:
@@ -135,13 +137,14 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
     return Layout(opening, tuple(spirals), tuple(links), tuple(steps))
 
 
-def _in_order(opening: Opening, axis: Skeleton, stepover: float) -> list[Spiral]:
+def _in_order(opening: Opening, axis: Skeleton, request: PocketRequest) -> list[Spiral]:
     """Return the spirals about the centers that have room for laps, in a short order."""
     centers = opening.centers
     middles = np.array([shapely.get_coordinates(c.curve.centroid)[0] for c in centers])
     turning = [i for i, c in enumerate(centers) if c.laps > 0]
     order_ = walk_over(opening.joints, turning, middles, axis) if turning else []
-    return [spiral_about(centers[i], opening.half_width, stepover) for i in order_]
+    half, stepover, radius = opening.half_width, request.cutting.stepover, request.cutter_radius
+    return [spiral_about(centers[i], half, stepover, radius) for i in order_]
 
 
 def _ring(shape: Polygon) -> Floats:
@@ -165,12 +168,26 @@ def _linked(
     ring, at = start.ring, 0.0
     for spiral, strokes in zip(spirals, freed, strict=True):
         link, clothoids, begin = _way_to(spiral, ring, at, cleared, fence, request)
-        steps.append(Step(link, spiral.unwound(begin), -1))
+        points = spiral.unwound(begin)
+        if link is not None and len(link) == 0:
+            points = _from(points_at(ring, np.array([at]))[0], points)
+        steps.append(Step(link, points, -1))
         links.append(clothoids)
         for stroke in strokes:
             cleared.finish(stroke)
         ring, at = spiral.rings[-1], spiral.end_of(begin)
+    if steps:
+        # away from the stock, as the links between spirals begin
+        tail = turn_away(Place(*bend_at(ring, at, request.cutter_radius)), request.cutter_radius)
+        last = np.vstack([steps[-1].points, tail.sampled(request.tolerance / 2)[1:]])
+        steps[-1] = replace(steps[-1], points=last)
     return steps, links
+
+
+def _from(here: Floats, points: Floats) -> Floats:
+    """Return a path that begins `here`, a hair beside its start, and comes back to itself."""
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    return points + np.maximum(0.0, 1 - along / MERGES)[:, None] * (here - points[0])
 
 
 def _way_to(
@@ -195,7 +212,7 @@ def _way_to(
     if found is not None:
         path, chosen = found
         return path.sampled(request.tolerance / 2), path, float(beginnings[chosen])
-    near = np.argsort([np.hypot(*(p.point - here)) for p in arrive], kind="stable")[:ROUTED]
+    near = np.argsort([_detour(leave, place, radius) for place in arrive], kind="stable")[:ROUTED]
     for i in near.tolist():
         way = clothoid_way(leave, arrive[i], cleared, fence, radius, request.tolerance / 2)
         if way is not None:
@@ -205,6 +222,15 @@ def _way_to(
         if curve is not None:
             return curve, None, float(b)
     return None, None, nearest
+
+
+def _detour(leave: Place, arrive: Place, radius: float) -> float:
+    """Return about how long the way between two places is [mm]."""
+    straight = arrive.point - leave.point
+    heading = np.arctan2(straight[1], straight[0])
+    turns = np.array([heading - leave.heading, arrive.heading - heading])
+    turns = np.abs((turns + np.pi) % (2 * np.pi) - np.pi)
+    return float(np.hypot(*straight) + radius * turns.sum())
 
 
 def _beginning(spiral: Spiral, at: float, radius: float) -> Place:
