@@ -9,6 +9,7 @@ from PySide import QtGui
 
 from ..engine.errors import SpiralPocketError
 from .compat import run_dialog
+from .localized import localized
 
 translate = FreeCAD.Qt.translate
 
@@ -19,7 +20,7 @@ def show(*errors: SpiralPocketError) -> None:
     box.setObjectName("SpiralPocketMessage")
     box.setIcon(QtGui.QMessageBox.Warning)
     box.setWindowTitle(translate("SpiralPocket", "Spiral Pocket"))
-    box.setText("\n\n".join(error.message for error in errors))
-    box.setInformativeText("\n".join(dict.fromkeys(e.hint for e in errors if e.hint)))
+    box.setText("\n\n".join(localized(error.message) for error in errors))
+    box.setInformativeText("\n".join(dict.fromkeys(localized(e.hint) for e in errors if e.hint)))
     box.setStandardButtons(QtGui.QMessageBox.Ok)
     run_dialog(box)

@@ -21,6 +21,7 @@ from PySide import QtCore, QtGui
 from ..engine.model import Progress
 from ..op.operation import ObjectSpiralPocket
 from . import planning
+from .localized import localized
 
 translate = FreeCAD.Qt.translate
 
@@ -55,7 +56,7 @@ def progress_dialog(label: str) -> Iterator[Progress]:
         if time.monotonic() >= next_update:
             dialog.setValue(int(STEPS * min(1.0, max(0.0, fraction))))
             if dialog.isVisible():  # and modal: nothing but Stop can happen here
-                dialog.setLabelText(f"{label}\n{stage}")
+                dialog.setLabelText(f"{label}\n{localized(stage)}")
                 QtCore.QCoreApplication.processEvents()
             next_update = time.monotonic() + UPDATE_EVERY
         return dialog.wasCanceled()

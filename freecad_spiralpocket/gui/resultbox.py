@@ -12,6 +12,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from .localized import localized
 from .outlook import Outlook
 from .resultfigures import Place, Remark, figures_of, is_applied, remarks_of
 from .zoom import zoom_to
@@ -115,7 +116,7 @@ class ResultBox:
         self.list.clear()
         warning = self.list.style().standardIcon(QtGui.QStyle.SP_MessageBoxWarning)
         for remark in remarks:
-            item = QtGui.QListWidgetItem(warning, remark.text)
+            item = QtGui.QListWidgetItem(warning, localized(remark.text))
             if remark.place is not None:
                 item.setToolTip(translate("SpiralPocket", "Click to see the place"))
             self.list.addItem(item)

@@ -1,0 +1,1323 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<!-- SPDX-License-Identifier: LGPL-2.1-or-later -->
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>How the laps of the spiral are made</source>
+        <translation>Wie die Umläufe der Spirale entstehen</translation>
+    </message>
+    <message>
+        <source>Percent of cutter diameter to step over on each lap, at most</source>
+        <translation>Seitliche Zustellung je Umlauf in Prozent des Fräserdurchmessers, höchstens</translation>
+    </message>
+    <message>
+        <source>Largest engagement angle of a straight cut, in place of StepOver; 0 for that of StepOver</source>
+        <translation>Größter Eingriffswinkel im geraden Schnitt, anstelle von StepOver; 0 für den von StepOver</translation>
+    </message>
+    <message>
+        <source>Climb or conventional milling, for a spindle that turns clockwise</source>
+        <translation>Gleichlauf oder Gegenlauf, bei rechtsdrehender Spindel</translation>
+    </message>
+    <message>
+        <source>How much stock to leave in the XY plane (eg for finishing operation)</source>
+        <translation>Wie viel Aufmaß in der XY-Ebene bleibt (etwa zum Schlichten)</translation>
+    </message>
+    <message>
+        <source>How much stock to leave along the Z axis</source>
+        <translation>Wie viel Aufmaß in Z bleibt</translation>
+    </message>
+    <message>
+        <source>Ramp angle of the helical entry</source>
+        <translation>Rampenwinkel beim Eintauchen auf der Helix</translation>
+    </message>
+    <message>
+        <source>Limit helix entry diameter, if limit larger than tool diameter or 0, tool diameter is used</source>
+        <translation>Grenze für den Helixdurchmesser; ist sie größer als der Werkzeugdurchmesser oder 0, gilt der Werkzeugdurchmesser</translation>
+    </message>
+    <message>
+        <source>Largest deviation of the path from the exact curve</source>
+        <translation>Größte Abweichung des Pfads von der exakten Kurve</translation>
+    </message>
+    <message>
+        <source>The machine on which the time is to be least</source>
+        <translation>Die Maschine, auf der die Zeit am kürzesten sein soll</translation>
+    </message>
+    <message>
+        <source>How the feed follows the engagement: slowed where it passes the limit, slowed linearly with the chip, or raised where the chip is thin</source>
+        <translation>Wie der Vorschub dem Eingriff folgt: langsamer, wo er die Grenze überschreitet, linear mit dem Span, oder schneller, wo der Span dünn ist</translation>
+    </message>
+    <message>
+        <source>Feed at the largest radial depth of cut, in percent (Linear slow-down)</source>
+        <translation>Vorschub bei der größten radialen Schnitttiefe, in Prozent (Linear verlangsamt)</translation>
+    </message>
+    <message>
+        <source>Largest feed where the chip is thin, as a multiple of the tool controller's (Chip thickness)</source>
+        <translation>Größter Vorschub bei dünnem Span, als Vielfaches des eingestellten (Spandicke)</translation>
+    </message>
+    <message>
+        <source>Feed of moves at depth through cleared ground in mm/min, 0 for the horizontal rapid rate</source>
+        <translation>Vorschub der Wege in der Tiefe durch geräumte Fläche in mm/min, 0 für den waagerechten Eilgang</translation>
+    </message>
+    <message>
+        <source>Largest axial depth of one level of a slot that opens the pocket, 0 for automatic</source>
+        <translation>Größte Tiefenzustellung je Ebene einer Nut, die die Tasche öffnet, 0 für automatisch</translation>
+    </message>
+    <message>
+        <source>To take a finishing lap along the walls at the end; Automatic does without, its laps finish the walls</source>
+        <translation>Zum Schluss eine Schlichtbahn entlang der Wände; Automatisch kommt ohne aus, dort schlichten die Umläufe die Wände</translation>
+    </message>
+    <message>
+        <source>Ignore islands and clear everything inside the outline</source>
+        <translation>Inseln ignorieren und alles innerhalb des Umrisses räumen</translation>
+    </message>
+    <message>
+        <source>Make True, if specifying a Start Point</source>
+        <translation>Auf Wahr setzen, wenn ein Startpunkt angegeben wird</translation>
+    </message>
+    <message>
+        <source>Where the cutter goes down, as near as it can; its height does not matter</source>
+        <translation>Wo der Fräser eintaucht, so nah wie möglich; die Höhe ist ohne Bedeutung</translation>
+    </message>
+    <message>
+        <source>The exact curves behind the path, B-splines at the floors; can be exported to STEP</source>
+        <translation>Die exakten Kurven hinter dem Pfad, B-Splines auf den Böden; als STEP exportierbar</translation>
+    </message>
+    <message>
+        <source>Largest engagement angle that was measured</source>
+        <translation>Größter gemessener Eingriffswinkel</translation>
+    </message>
+    <message>
+        <source>Area within the cutter's reach left standing, in mm^2</source>
+        <translation>Für den Fräser erreichbare, stehen gebliebene Fläche in mm^2</translation>
+    </message>
+    <message>
+        <source>How far the cutter passes the walls, measured</source>
+        <translation>Wie weit der Fräser in die Wände gerät, gemessen</translation>
+    </message>
+    <message>
+        <source>Length of all cutting moves</source>
+        <translation>Länge aller Schnittwege</translation>
+    </message>
+    <message>
+        <source>Time of all moves at their own feeds, in seconds</source>
+        <translation>Zeit aller Wege mit ihren Vorschüben, in Sekunden</translation>
+    </message>
+    <message>
+        <source>What the machinist should know about this path</source>
+        <translation>Was an diesem Pfad zu beachten ist</translation>
+    </message>
+    <message>
+        <source>Version of these properties</source>
+        <translation>Version dieser Eigenschaften</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocket</name>
+    <message>
+        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
+        <translation>Jede Tasche, auch mit Inseln und Engstellen: hält den Eingriff, kürzeste Zeit auf der Maschine</translation>
+    </message>
+    <message>
+        <source>One exact B-spline from a circle to the wall, for pockets without islands</source>
+        <translation>Ein exakter B-Spline vom Kreis bis zur Wand, für Taschen ohne Inseln</translation>
+    </message>
+    <message>
+        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
+        <translation>Gleichmäßige Umläufe um die Mittellinie, für lange und verzweigte Taschen</translation>
+    </message>
+    <message>
+        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
+        <translation>Umläufe wie Linien gleicher Temperatur, überall glatt, für kompakte Taschen</translation>
+    </message>
+    <message>
+        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
+        <translation>Eine runde Spirale, die in die Form der Wand übergeht, für kompakte Taschen</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All strategies side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare strategies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pocket {}, {:.0f} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting length</source>
+        <translation>Schnittlänge</translation>
+    </message>
+    <message>
+        <source>Largest engagement</source>
+        <translation>Größter Eingriff</translation>
+    </message>
+    <message>
+        <source>99 % of it below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean engagement</source>
+        <translation>Mittlerer Eingriff</translation>
+    </message>
+    <message>
+        <source>Left uncut</source>
+        <translation>Stehen geblieben</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fastest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An error, see the Report view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planning... {:.0f} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create Spiral Pocket</source>
+        <translation>Spiraltasche erzeugen</translation>
+    </message>
+    <message>
+        <source>Add one with an end mill to the job, then try again.</source>
+        <translation>Dem Auftrag eine mit Schaftfräser hinzufügen und erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>{} has no tool controller.</source>
+        <translation>{} hat keine Werkzeugsteuerung.</translation>
+    </message>
+    <message>
+        <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
+        <translation>Vorschub der Wege in der Tiefe durch geräumte Fläche, 0 für den waagerechten Eilgang</translation>
+    </message>
+    <message>
+        <source>Spiral Pocket</source>
+        <translation>Spiraltasche</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spiral Pocket plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the tool controller has no spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>engagement [°]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feed [mm/min]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>velocity [mm/min]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots need the Python library matplotlib.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install it with the Addon Manager or pip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; force in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engagement, feed, velocity and force along the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched off.</source>
+        <translation>Ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>This is the proved path.</source>
+        <translation>Dies ist der geprüfte Pfad.</translation>
+    </message>
+    <message>
+        <source>Draft. The path is being proved: {:.0f} %</source>
+        <translation>Entwurf. Der Pfad wird geprüft: {:.0f} %</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Draw the path anew while values change</source>
+        <translation>Den Pfad bei jeder Änderung neu zeichnen</translation>
+    </message>
+    <message>
+        <source>Engagement [°]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed [mm/min]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the colors of the cut show</source>
+        <translation>Was die Farben des Schnitts zeigen</translation>
+    </message>
+    <message>
+        <source>Play the cut</source>
+        <translation>Schnitt abspielen</translation>
+    </message>
+    <message>
+        <source>How far the cut is shown</source>
+        <translation>Wie weit der Schnitt gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Color by</source>
+        <translation>Färben nach</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>Eintauchen</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>cleared</source>
+        <translation>geräumt</translation>
+    </message>
+    <message>
+        <source>left over</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>island</source>
+        <translation>Insel</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Not known yet.</source>
+        <translation>Noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>The operation has this path.</source>
+        <translation>Die Operation hat diesen Pfad.</translation>
+    </message>
+    <message>
+        <source>OK or Apply makes this path.</source>
+        <translation>OK oder Anwenden erzeugt diesen Pfad.</translation>
+    </message>
+    <message>
+        <source>There is no path.</source>
+        <translation>Es gibt keinen Pfad.</translation>
+    </message>
+    <message>
+        <source>Click to see the place</source>
+        <translation>Anklicken zeigt die Stelle</translation>
+    </message>
+    <message>
+        <source>FreeCAD's estimate</source>
+        <translation>Schätzung von FreeCAD</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Wandverletzung</translation>
+    </message>
+    <message>
+        <source>Time on {}</source>
+        <translation>Zeit auf {}</translation>
+    </message>
+    <message>
+        <source>{:.0f}°, limit {:.0f}°</source>
+        <translation>{:.0f}°, Grenze {:.0f}°</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Apply computes the path.</source>
+        <translation>Anwenden berechnet den Pfad.</translation>
+    </message>
+    <message>
+        <source>Time {}, cutting length {}</source>
+        <translation>Zeit {}, Schnittlänge {}</translation>
+    </message>
+    <message>
+        <source>Largest engagement {:.0f}°, {:.0f}° on a straight cut</source>
+        <translation>Größter Eingriff {:.0f}°, im geraden Schnitt {:.0f}°</translation>
+    </message>
+    <message>
+        <source>Uncut {}, gouge {}</source>
+        <translation>Ungeschnitten {}, Wandverletzung {}</translation>
+    </message>
+    <message>
+        <source>The same step-over as a length, for this cutter</source>
+        <translation>Dieselbe seitliche Zustellung als Länge, für diesen Fräser</translation>
+    </message>
+    <message>
+        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
+        <translation>Der Eingriffswinkel im geraden Schnitt bei dieser Zustellung: 90° beim halben Fräserdurchmesser, 180° in der vollen Nut</translation>
+    </message>
+    <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Spiraltasche entfernen</translation>
+    </message>
+    <message>
+        <source>An error in the add-on: the path was not computed.</source>
+        <translation>Ein Fehler in der Erweiterung: der Pfad wurde nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>Please report it with the text in the Report view.</source>
+        <translation>Bitte melden, mit dem Text aus der Berichtsansicht.</translation>
+    </message>
+    <message>
+        <source>Use as Default in This Job</source>
+        <translation>Als Vorgabe in diesem Auftrag verwenden</translation>
+    </message>
+    <message>
+        <source>Drag it into the job's operations.</source>
+        <translation>In die Operationen des Auftrags ziehen.</translation>
+    </message>
+    <message>
+        <source>{} is not in a job.</source>
+        <translation>{} ist in keinem Auftrag.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Linear Morph</source>
+        <translation>Lineares Morphen</translation>
+    </message>
+    <message>
+        <source>Extended Archimedean</source>
+        <translation>Erweitert archimedisch</translation>
+    </message>
+    <message>
+        <source>Isotherm</source>
+        <translation>Isothermen</translation>
+    </message>
+    <message>
+        <source>Central Spiral</source>
+        <translation>Zentrale Spirale</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>Gleichlauf</translation>
+    </message>
+    <message>
+        <source>Conventional</source>
+        <translation>Gegenlauf</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>Konstant</translation>
+    </message>
+    <message>
+        <source>Linear slow-down</source>
+        <translation>Linear verlangsamt</translation>
+    </message>
+    <message>
+        <source>Chip thickness</source>
+        <translation>Spandicke</translation>
+    </message>
+    <message>
+        <source>Benchtop mill</source>
+        <translation>Tischfräsmaschine</translation>
+    </message>
+    <message>
+        <source>Hobby router</source>
+        <translation>Hobby-Portalfräse</translation>
+    </message>
+    <message>
+        <source>Huron with Siemens 840D</source>
+        <translation>Huron mit Siemens 840D</translation>
+    </message>
+    <message>
+        <source>Mikron UCP710</source>
+        <translation>Mikron UCP710</translation>
+    </message>
+    <message>
+        <source>Vertical machining center</source>
+        <translation>Vertikales Bearbeitungszentrum</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocketMessages</name>
+    <message>
+        <source>the pocket</source>
+        <translation>der Tasche</translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>The cutter's diameter</source>
+        <translation>Fräserdurchmesser</translation>
+    </message>
+    <message>
+        <source>The horizontal feed</source>
+        <translation>Waagerechter Vorschub</translation>
+    </message>
+    <message>
+        <source>The vertical feed</source>
+        <translation>Senkrechter Vorschub</translation>
+    </message>
+    <message>
+        <source>The horizontal rapid rate</source>
+        <translation>Waagerechter Eilgang</translation>
+    </message>
+    <message>
+        <source>The vertical rapid rate</source>
+        <translation>Senkrechter Eilgang</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>XY stock to leave</source>
+        <translation>XY-Aufmaß</translation>
+    </message>
+    <message>
+        <source>Z stock to leave</source>
+        <translation>Z-Aufmaß</translation>
+    </message>
+    <message>
+        <source>with {0} mm of stock to leave</source>
+        <translation>mit {0} mm Aufmaß</translation>
+    </message>
+    <message>
+        <source>Pocket {0} of {1}: {2}</source>
+        <translation>Tasche {0} von {1}: {2}</translation>
+    </message>
+    <message>
+        <source>0.01 mm is usual.</source>
+        <translation>Üblich sind 0.01 mm.</translation>
+    </message>
+    <message>
+        <source>A cutter below {0} mm reaches it.</source>
+        <translation>Ein Fräser unter {0} mm kommt hin.</translation>
+    </message>
+    <message>
+        <source>A helix angle of {0} degrees cannot be cut.</source>
+        <translation>Ein Helixwinkel von {0} Grad lässt sich nicht fräsen.</translation>
+    </message>
+    <message>
+        <source>A largest engagement of {0} degrees cannot be cut.</source>
+        <translation>Ein größter Eingriff von {0} Grad lässt sich nicht fräsen.</translation>
+    </message>
+    <message>
+        <source>A smaller StepDown makes them smaller; a finishing operation removes them.</source>
+        <translation>Ein kleineres StepDown macht sie kleiner; eine Schlichtoperation entfernt sie.</translation>
+    </message>
+    <message>
+        <source>A smaller step-over may clear it.</source>
+        <translation>Eine kleinere Zustellung kann ihn räumen.</translation>
+    </message>
+    <message>
+        <source>A step down of {0} mm never reaches the floor.</source>
+        <translation>Mit {0} mm Tiefenzustellung wird der Boden nie erreicht.</translation>
+    </message>
+    <message>
+        <source>A step-over of {0} mm is wider than the {1} mm cutter.</source>
+        <translation>{0} mm seitliche Zustellung sind mehr, als der {1}-mm-Fräser breit ist.</translation>
+    </message>
+    <message>
+        <source>A step-over of {0} mm never clears the pocket.</source>
+        <translation>Mit {0} mm seitlicher Zustellung wird die Tasche nie leer.</translation>
+    </message>
+    <message>
+        <source>A {0} move runs through standing stock at {at}, {1} mm in all.</source>
+        <translation>Bei {at} fährt ein Weg ({0}) durch stehendes Material, zusammen {1} mm.</translation>
+    </message>
+    <message>
+        <source>Add it; vmc.json shows how.</source>
+        <translation>Ergänzen; vmc.json zeigt, wie.</translation>
+    </message>
+    <message>
+        <source>Add the part to the job's model.</source>
+        <translation>Das Werkstück zum Modell des Auftrags hinzufügen.</translation>
+    </message>
+    <message>
+        <source>At Z{0} the pocket reaches under a wall.</source>
+        <translation>Bei Z{0} reicht die Tasche unter eine Wand.</translation>
+    </message>
+    <message>
+        <source>At {at} the cutter cuts {0} mm into the wall.</source>
+        <translation>Bei {at} schneidet der Fräser {0} mm in die Wand.</translation>
+    </message>
+    <message>
+        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}.</source>
+        <translation>Bei {at} erreicht der Eingriff {0} Grad, die Zustellung von {1} % erlaubt {2}.</translation>
+    </message>
+    <message>
+        <source>Central Spiral cannot go round islands; there is one at {at}.</source>
+        <translation>Die Zentrale Spirale kann Inseln nicht umfahren; bei {at} ist eine.</translation>
+    </message>
+    <message>
+        <source>Central Spiral needs a pocket whose whole wall can be seen from one place in its middle; the one at {at} has walls behind corners.</source>
+        <translation>Die Zentrale Spirale braucht eine Tasche, deren ganze Wand von einer Stelle in der Mitte zu sehen ist; die bei {at} hat Wände hinter Ecken.</translation>
+    </message>
+    <message>
+        <source>Check the outline for tiny steps, or choose a smaller cutter.</source>
+        <translation>Den Umriss auf winzige Stufen prüfen oder einen kleineren Fräser wählen.</translation>
+    </message>
+    <message>
+        <source>Check the part's geometry in the Part workbench and repair the face.</source>
+        <translation>Die Geometrie im Arbeitsbereich Part prüfen und die Fläche reparieren.</translation>
+    </message>
+    <message>
+        <source>Check the part's geometry in the Part workbench.</source>
+        <translation>Die Geometrie im Arbeitsbereich Part prüfen.</translation>
+    </message>
+    <message>
+        <source>Checking the pocket</source>
+        <translation>Tasche wird geprüft</translation>
+    </message>
+    <message>
+        <source>Choose a tool controller with an end mill in it.</source>
+        <translation>Eine Werkzeugsteuerung mit Schaftfräser wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another strategy, for example Automatic.</source>
+        <translation>Eine andere Strategie wählen, etwa Automatisch.</translation>
+    </message>
+    <message>
+        <source>Choose one of: {0}.</source>
+        <translation>Zur Auswahl stehen: {0}.</translation>
+    </message>
+    <message>
+        <source>Choose one with an end mill in it.</source>
+        <translation>Eine mit Schaftfräser wählen.</translation>
+    </message>
+    <message>
+        <source>Choose the strategy Automatic or Isotherm for this pocket.</source>
+        <translation>Für diese Tasche die Strategie Automatisch oder Isothermen wählen.</translation>
+    </message>
+    <message>
+        <source>Clear that side with another operation, or enlarge the floor in the model.</source>
+        <translation>Diese Seite mit einer anderen Operation räumen oder den Boden im Modell vergrößern.</translation>
+    </message>
+    <message>
+        <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
+        <translation>Zuerst schließen (Arbeitsbereich Part, Geometrie überprüfen und In Festkörper umwandeln).</translation>
+    </message>
+    <message>
+        <source>Compare it with vmc.json.</source>
+        <translation>Mit vmc.json vergleichen.</translation>
+    </message>
+    <message>
+        <source>Do not run this path; check the final depth and the floor stock.</source>
+        <translation>Diesen Pfad nicht fahren; Endtiefe und Bodenaufmaß prüfen.</translation>
+    </message>
+    <message>
+        <source>Do not run this path; try another strategy or step-over.</source>
+        <translation>Diesen Pfad nicht fahren; andere Strategie oder Zustellung versuchen.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Drag it into the job's operations.</source>
+        <translation>In die Operationen des Auftrags ziehen.</translation>
+    </message>
+    <message>
+        <source>Give it the number of an end mill, 1 or higher.</source>
+        <translation>Die Nummer eines Schaftfräsers geben, 1 oder höher.</translation>
+    </message>
+    <message>
+        <source>Install it with FreeCAD's Addon Manager (it is a dependency of Spiral Pocket) or with pip into the Python that FreeCAD uses, then start FreeCAD again.</source>
+        <translation>Mit dem Addon-Manager von FreeCAD installieren (sie gehört zu Spiral Pocket) oder mit pip in das Python von FreeCAD, dann FreeCAD neu starten.</translation>
+    </message>
+    <message>
+        <source>Isotherm would need more than {0} laps.</source>
+        <translation>Isothermen bräuchte mehr als {0} Umläufe.</translation>
+    </message>
+    <message>
+        <source>Laps of Linear Morph would cross themselves at {at}, where the wall turns away from the middle of the pocket.</source>
+        <translation>Umläufe des Linearen Morphens würden sich bei {at} kreuzen, wo sich die Wand von der Mitte der Tasche abwendet.</translation>
+    </message>
+    <message>
+        <source>Laying the spiral</source>
+        <translation>Spirale wird gelegt</translation>
+    </message>
+    <message>
+        <source>Linear Morph cannot go round islands; there is one at {at}.</source>
+        <translation>Lineares Morphen kann Inseln nicht umfahren; bei {at} ist eine.</translation>
+    </message>
+    <message>
+        <source>Linear Morph finds no middle to start from.</source>
+        <translation>Lineares Morphen findet keine Mitte zum Anfangen.</translation>
+    </message>
+    <message>
+        <source>Lower FinishDepth or raise StepDown.</source>
+        <translation>FinishDepth verringern oder StepDown vergrößern.</translation>
+    </message>
+    <message>
+        <source>Lower StockToLeave.</source>
+        <translation>StockToLeave verringern.</translation>
+    </message>
+    <message>
+        <source>Lower ZStockToLeave.</source>
+        <translation>ZStockToLeave verringern.</translation>
+    </message>
+    <message>
+        <source>Lower the feed or the step-over if the cut is too heavy for the cutter.</source>
+        <translation>Vorschub oder Zustellung verringern, wenn der Schnitt für den Fräser zu schwer ist.</translation>
+    </message>
+    <message>
+        <source>Machine that part from another side, or with an undercutting tool.</source>
+        <translation>Diesen Teil von einer anderen Seite oder mit einem Hinterschnittwerkzeug bearbeiten.</translation>
+    </message>
+    <message>
+        <source>Mend or remove it.</source>
+        <translation>Berichtigen oder entfernen.</translation>
+    </message>
+    <message>
+        <source>More than {0} laps are left beside the spirals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No face is selected.</source>
+        <translation>Keine Fläche ist ausgewählt.</translation>
+    </message>
+    <message>
+        <source>Planning feeds</source>
+        <translation>Vorschübe werden geplant</translation>
+    </message>
+    <message>
+        <source>Proving the path</source>
+        <translation>Pfad wird nachgewiesen</translation>
+    </message>
+    <message>
+        <source>Put an end mill into the tool controller.</source>
+        <translation>Einen Schaftfräser in die Werkzeugsteuerung einsetzen.</translation>
+    </message>
+    <message>
+        <source>Recompute the operation to try again.</source>
+        <translation>Zum erneuten Versuch die Operation neu berechnen.</translation>
+    </message>
+    <message>
+        <source>Remove it from the base geometry and select the floor of the pocket again.</source>
+        <translation>Aus der Basisgeometrie entfernen und den Taschenboden neu auswählen.</translation>
+    </message>
+    <message>
+        <source>Repair the part (Part workbench, Check Geometry).</source>
+        <translation>Das Werkstück reparieren (Arbeitsbereich Part, Geometrie überprüfen).</translation>
+    </message>
+    <message>
+        <source>Select the floor face of the pocket.</source>
+        <translation>Die Bodenfläche der Tasche auswählen.</translation>
+    </message>
+    <message>
+        <source>Select the floor of the pocket, a flat level face with walls around it.</source>
+        <translation>Den Boden der Tasche auswählen, eine ebene waagerechte Fläche mit Wänden ringsum.</translation>
+    </message>
+    <message>
+        <source>Select the floor of the pocket, or turn the part over.</source>
+        <translation>Den Boden der Tasche auswählen oder das Werkstück umdrehen.</translation>
+    </message>
+    <message>
+        <source>Set ClearanceHeight above SafeHeight above StartDepth.</source>
+        <translation>ClearanceHeight über SafeHeight über StartDepth setzen.</translation>
+    </message>
+    <message>
+        <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
+        <translation>HelixAngle zwischen 1 und 30 Grad setzen; üblich sind 5.</translation>
+    </message>
+    <message>
+        <source>Set HelixDiameterLimit to 0 for no limit.</source>
+        <translation>HelixDiameterLimit auf 0 setzen: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Set LinkFeed to 0 for the horizontal rapid rate.</source>
+        <translation>LinkFeed auf 0 setzen: waagerechter Eilgang.</translation>
+    </message>
+    <message>
+        <source>Set MaxEngagement up to {0} degrees, or to 0 for StepOver's.</source>
+        <translation>MaxEngagement auf höchstens {0} Grad setzen oder auf 0 für den von StepOver.</translation>
+    </message>
+    <message>
+        <source>Set MaxFeedRatio to 1 or more; 2 is usual.</source>
+        <translation>MaxFeedRatio auf mindestens 1 setzen; üblich sind 2.</translation>
+    </message>
+    <message>
+        <source>Set SlowdownPercent between 1 and 100; 75 is usual.</source>
+        <translation>SlowdownPercent zwischen 1 und 100 setzen; üblich sind 75.</translation>
+    </message>
+    <message>
+        <source>Set StartDepth above FinalDepth.</source>
+        <translation>StartDepth über FinalDepth setzen.</translation>
+    </message>
+    <message>
+        <source>Set StartPoint inside one, or do without.</source>
+        <translation>StartPoint in eine setzen oder darauf verzichten.</translation>
+    </message>
+    <message>
+        <source>Set StartPoint, or do without.</source>
+        <translation>StartPoint setzen oder darauf verzichten.</translation>
+    </message>
+    <message>
+        <source>Set StepDown above 0.</source>
+        <translation>StepDown über 0 setzen.</translation>
+    </message>
+    <message>
+        <source>Set StepOver above 0; 20 to 45 % of the cutter's diameter is usual.</source>
+        <translation>StepOver über 0 setzen; üblich sind 20 bis 45 % des Fräserdurchmessers.</translation>
+    </message>
+    <message>
+        <source>Set StepOver to 100 % or less.</source>
+        <translation>StepOver auf höchstens 100 % setzen.</translation>
+    </message>
+    <message>
+        <source>Set it in the tool of the tool controller.</source>
+        <translation>Im Werkzeug der Werkzeugsteuerung einstellen.</translation>
+    </message>
+    <message>
+        <source>Set it to 0 for none.</source>
+        <translation>Auf 0 setzen für keines.</translation>
+    </message>
+    <message>
+        <source>Set the feeds in the tool controller.</source>
+        <translation>Die Vorschübe in der Werkzeugsteuerung einstellen.</translation>
+    </message>
+    <message>
+        <source>Set the horizontal and vertical feed in the tool controller.</source>
+        <translation>Waagerechten und senkrechten Vorschub in der Werkzeugsteuerung einstellen.</translation>
+    </message>
+    <message>
+        <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
+        <translation>Spiral Pocket braucht shapely 2, dieses FreeCAD hat {0}.</translation>
+    </message>
+    <message>
+        <source>Spiral Pocket needs the Python library {0}, which this FreeCAD lacks.</source>
+        <translation>Spiral Pocket braucht die Python-Bibliothek {0}, die diesem FreeCAD fehlt.</translation>
+    </message>
+    <message>
+        <source>Stopped by the user.</source>
+        <translation>Vom Benutzer gestoppt.</translation>
+    </message>
+    <message>
+        <source>Take a cutter below {0} mm, or raise HelixDiameterLimit if it is set.</source>
+        <translation>Einen Fräser unter {0} mm nehmen oder HelixDiameterLimit erhöhen, falls gesetzt.</translation>
+    </message>
+    <message>
+        <source>Take a cutter below {0} mm.</source>
+        <translation>Einen Fräser unter {0} mm nehmen.</translation>
+    </message>
+    <message>
+        <source>Take a larger step-over or the strategy Automatic.</source>
+        <translation>Eine größere Zustellung oder die Strategie Automatisch nehmen.</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter or the strategy Automatic.</source>
+        <translation>Einen kleineren Fräser oder die Strategie Automatisch nehmen.</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter.</source>
+        <translation>Einen kleineren Fräser nehmen.</translation>
+    </message>
+    <message>
+        <source>Take a wider cutter or a larger step-over.</source>
+        <translation>Einen breiteren Fräser oder eine größere Zustellung nehmen.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the floor.</source>
+        <translation>Der Fräser geht {0} mm unter den Boden.</translation>
+    </message>
+    <message>
+        <source>The cutter has no room to go down anywhere in the pocket.</source>
+        <translation>Der Fräser hat nirgends in der Tasche Platz zum Eintauchen.</translation>
+    </message>
+    <message>
+        <source>The depths are upside down: the pocket's floor (final depth {0} mm) is not below its top (start depth {1} mm).</source>
+        <translation>Die Tiefen sind vertauscht: der Boden der Tasche (Endtiefe {0} mm) liegt nicht unter ihrer Oberkante (Starttiefe {1} mm).</translation>
+    </message>
+    <message>
+        <source>The expression of {0} cannot be evaluated: {1}.</source>
+        <translation>Der Ausdruck von {0} lässt sich nicht auswerten: {1}.</translation>
+    </message>
+    <message>
+        <source>The finish depth of {0} mm is not between 0 and the step down of {1} mm.</source>
+        <translation>Die Schlichttiefe von {0} mm liegt nicht zwischen 0 und der Tiefenzustellung von {1} mm.</translation>
+    </message>
+    <message>
+        <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
+        <translation>Die Höhen sind vertauscht: Freifahrhöhe {0} mm, Sicherheitshöhe {1} mm, Starttiefe {2} mm.</translation>
+    </message>
+    <message>
+        <source>The helix's diameter limit is negative.</source>
+        <translation>Die Grenze des Helixdurchmessers ist negativ.</translation>
+    </message>
+    <message>
+        <source>The largest feed ratio of {0} is below 1.</source>
+        <translation>Der größte Vorschubfaktor {0} liegt unter 1.</translation>
+    </message>
+    <message>
+        <source>The level from Z{0} to Z{1} is not between 0 and the step down of {2} mm deep.</source>
+        <translation>Die Ebene von Z{0} bis Z{1} ist nicht zwischen 0 und der Tiefenzustellung von {2} mm tief.</translation>
+    </message>
+    <message>
+        <source>The link feed is negative.</source>
+        <translation>Der Verbindungsvorschub ist negativ.</translation>
+    </message>
+    <message>
+        <source>The lowest level, at Z{0}, is not the pocket's floor.</source>
+        <translation>Die unterste Ebene bei Z{0} ist nicht der Boden der Tasche.</translation>
+    </message>
+    <message>
+        <source>The machine file {0} cannot be read: {1}.</source>
+        <translation>Die Maschinendatei {0} ist nicht lesbar: {1}.</translation>
+    </message>
+    <message>
+        <source>The machine file {0} is broken: {1}.</source>
+        <translation>Die Maschinendatei {0} ist defekt: {1}.</translation>
+    </message>
+    <message>
+        <source>The machine file {0} lacks {1}.</source>
+        <translation>Der Maschinendatei {0} fehlt {1}.</translation>
+    </message>
+    <message>
+        <source>The outline of {0} crosses itself.</source>
+        <translation>Der Umriss von {0} kreuzt sich selbst.</translation>
+    </message>
+    <message>
+        <source>The outline of {0} is not closed at X{1} Y{2}.</source>
+        <translation>Der Umriss von {0} ist bei X{1} Y{2} nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>The part overhangs the whole floor; no cutter gets there from above.</source>
+        <translation>Das Werkstück überdeckt den ganzen Boden; von oben kommt kein Fräser hin.</translation>
+    </message>
+    <message>
+        <source>The part with {0} is an open shell, not a closed solid.</source>
+        <translation>Das Werkstück mit {0} ist eine offene Schale, kein geschlossener Körper.</translation>
+    </message>
+    <message>
+        <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
+        <translation>Der Pfad wurde erzeugt, würde aber {0} mm in die Wand schneiden; er wird nicht ausgegeben.</translation>
+    </message>
+    <message>
+        <source>The pocket has no area.</source>
+        <translation>Die Tasche hat keine Fläche.</translation>
+    </message>
+    <message>
+        <source>The pocket is more than {0} step-overs wide.</source>
+        <translation>Die Tasche ist mehr als {0} Zustellungen breit.</translation>
+    </message>
+    <message>
+        <source>The pocket is open at a side; the cutter stays within the floor there.</source>
+        <translation>Die Tasche ist an einer Seite offen; der Fräser bleibt dort innerhalb des Bodens.</translation>
+    </message>
+    <message>
+        <source>The pocket is too narrow at {at} for Isotherm: no isotherm leads through.</source>
+        <translation>Die Tasche ist bei {at} für Isothermen zu eng: keine Isotherme führt hindurch.</translation>
+    </message>
+    <message>
+        <source>The pocket's outline has points at infinity.</source>
+        <translation>Der Umriss der Tasche hat Punkte im Unendlichen.</translation>
+    </message>
+    <message>
+        <source>The pocket's outline is broken ({0}).</source>
+        <translation>Der Umriss der Tasche ist defekt ({0}).</translation>
+    </message>
+    <message>
+        <source>The pocket's wall near {at} is too jagged or too narrow for Linear Morph.</source>
+        <translation>Die Wand der Tasche bei {at} ist für Lineares Morphen zu zackig oder zu eng.</translation>
+    </message>
+    <message>
+        <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
+        <translation>Der verlangsamte Vorschub von {0} Prozent liegt nicht zwischen 0 und 100 Prozent.</translation>
+    </message>
+    <message>
+        <source>The start point at {at} lies in none of the pockets.</source>
+        <translation>Der Startpunkt bei {at} liegt in keiner der Taschen.</translation>
+    </message>
+    <message>
+        <source>The start point is not a place.</source>
+        <translation>Der Startpunkt ist kein Ort.</translation>
+    </message>
+    <message>
+        <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
+        <translation>Die Wand der Tasche um {at} ist für die Zentrale Spirale zu zackig.</translation>
+    </message>
+    <message>
+        <source>The {0} is not a number.</source>
+        <translation>{0} ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit the pocket{1}: it is {2} mm wide at its widest, at {at}.</source>
+        <translation>Der {0}-mm-Fräser passt nicht in die Tasche{1}: sie ist an ihrer weitesten Stelle, bei {at}, {2} mm breit.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
+        <translation>Der {0}-mm-Fräser passt nicht durch die Engstelle von {1} mm bei {at}; dieser Teil ({2} mm2) bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
+        <translation>Der {0}-mm-Fräser passt in die Tasche, hat aber bei {at} keinen Platz für seine Helix (Kreis von {1} mm).</translation>
+    </message>
+    <message>
+        <source>There is no machine '{0}'.</source>
+        <translation>Es gibt keine Maschine '{0}'.</translation>
+    </message>
+    <message>
+        <source>Try another step-over or strategy, and please report this pocket.</source>
+        <translation>Andere Zustellung oder Strategie versuchen und diese Tasche bitte melden.</translation>
+    </message>
+    <message>
+        <source>Turn the part over, or machine it from another side.</source>
+        <translation>Das Werkstück umdrehen oder von einer anderen Seite bearbeiten.</translation>
+    </message>
+    <message>
+        <source>Use a flat end mill, or finish the floor with one.</source>
+        <translation>Einen flachen Schaftfräser nehmen oder den Boden damit schlichten.</translation>
+    </message>
+    <message>
+        <source>Walls lean over the floor; {0} mm2 of it below them stay uncut.</source>
+        <translation>Wände neigen sich über den Boden; {0} mm2 darunter bleiben stehen.</translation>
+    </message>
+    <message>
+        <source>Walls that are not vertical keep steps up to {0} mm wide and {1} mm high, the widest at {at}.</source>
+        <translation>An nicht senkrechten Wänden bleiben Stufen bis {0} mm Breite und {1} mm Höhe, die breiteste bei {at}.</translation>
+    </message>
+    <message>
+        <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
+        <translation>Mit {0} mm Aufmaß am Boden bleibt nichts zu fräsen.</translation>
+    </message>
+    <message>
+        <source>{0} That part stays uncut.</source>
+        <translation>{0} Dieser Teil bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>{0} This pocket is not cut.</source>
+        <translation>{0} Diese Tasche wird nicht gefräst.</translation>
+    </message>
+    <message>
+        <source>{0} has no feeds; the path carries none and its time is unknown.</source>
+        <translation>{0} hat keine Vorschübe; der Pfad hat auch keine, seine Zeit ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>{0} has no model.</source>
+        <translation>{0} hat kein Modell.</translation>
+    </message>
+    <message>
+        <source>{0} has no tool controller.</source>
+        <translation>{0} hat keine Werkzeugsteuerung.</translation>
+    </message>
+    <message>
+        <source>{0} has no tool, or one without a diameter.</source>
+        <translation>{0} hat kein Werkzeug oder eines ohne Durchmesser.</translation>
+    </message>
+    <message>
+        <source>{0} has tool number 0, which stands for no tool.</source>
+        <translation>{0} hat die Werkzeugnummer 0, das heißt: kein Werkzeug.</translation>
+    </message>
+    <message>
+        <source>{0} is not a face.</source>
+        <translation>{0} ist keine Fläche.</translation>
+    </message>
+    <message>
+        <source>{0} is not an end mill; it cannot clear a pocket.</source>
+        <translation>{0} ist kein Schaftfräser und kann keine Tasche räumen.</translation>
+    </message>
+    <message>
+        <source>{0} is not flat at its end and leaves ridges on the floor.</source>
+        <translation>{0} ist unten nicht flach und hinterlässt Rillen am Boden.</translation>
+    </message>
+    <message>
+        <source>{0} is not flat.</source>
+        <translation>{0} ist nicht eben.</translation>
+    </message>
+    <message>
+        <source>{0} is not in a job.</source>
+        <translation>{0} ist in keinem Auftrag.</translation>
+    </message>
+    <message>
+        <source>{0} is not level.</source>
+        <translation>{0} ist nicht waagerecht.</translation>
+    </message>
+    <message>
+        <source>{0} is not the floor of a pocket: no wall rises from it.</source>
+        <translation>{0} ist kein Taschenboden: keine Wand steigt davon auf.</translation>
+    </message>
+    <message>
+        <source>{0} is not there any more: the model has changed.</source>
+        <translation>{0} gibt es nicht mehr: das Modell hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>{0} is vertical: it is a wall, not a floor.</source>
+        <translation>{0} ist senkrecht: eine Wand, kein Boden.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; it must be more than 0.</source>
+        <translation>{0}: {1}. Der Wert muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>{0} looks down.</source>
+        <translation>{0} zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>
+        <translation>{0} mm2 des Bodens bleiben stehen, das größte Stück bei {at}.</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocketPanel</name>
+    <message>
+        <source>Tool controller</source>
+        <translation>Werkzeugsteuerung</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Edit Tool Controller</source>
+        <translation>Werkzeugsteuerung bearbeiten</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Strategie</translation>
+    </message>
+    <message>
+        <source>Step over percent</source>
+        <translation>Seitliche Zustellung (%)</translation>
+    </message>
+    <message>
+        <source>Step over</source>
+        <translation>Seitliche Zustellung</translation>
+    </message>
+    <message>
+        <source>Engagement angle</source>
+        <translation>Eingriffswinkel</translation>
+    </message>
+    <message>
+        <source>Cut mode</source>
+        <translation>Fräsart</translation>
+    </message>
+    <message>
+        <source>XY stock to leave</source>
+        <translation>XY-Aufmaß</translation>
+    </message>
+    <message>
+        <source>Z stock to leave</source>
+        <translation>Z-Aufmaß</translation>
+    </message>
+    <message>
+        <source>Helix ramp angle</source>
+        <translation>Eintauchwinkel der Helix</translation>
+    </message>
+    <message>
+        <source>Helix max diameter</source>
+        <translation>Größter Helixdurchmesser</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Feed mode</source>
+        <translation>Vorschubart</translation>
+    </message>
+    <message>
+        <source>Slow-down percent</source>
+        <translation>Verlangsamter Vorschub (%)</translation>
+    </message>
+    <message>
+        <source>Max feed ratio</source>
+        <translation>Größter Vorschubfaktor</translation>
+    </message>
+    <message>
+        <source>Finishing profile</source>
+        <translation>Schlichtbahn</translation>
+    </message>
+    <message>
+        <source>Ignore islands</source>
+        <translation>Inseln ignorieren</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Link feed</source>
+        <translation>Verbindungsvorschub</translation>
+    </message>
+    <message>
+        <source>Slot bite</source>
+        <translation>Zustellung in der Nut</translation>
+    </message>
+    <message>
+        <source>Use start point</source>
+        <translation>Startpunkt verwenden</translation>
+    </message>
+    <message>
+        <source>Start point X</source>
+        <translation>Startpunkt X</translation>
+    </message>
+    <message>
+        <source>Start point Y</source>
+        <translation>Startpunkt Y</translation>
+    </message>
+    <message>
+        <source>Take the place that was clicked on the part</source>
+        <translation>Die am Werkstück angeklickte Stelle übernehmen</translation>
+    </message>
+    <message>
+        <source>From selection</source>
+        <translation>Aus Auswahl</translation>
+    </message>
+    <message>
+        <source>What was measured on the path of the last Apply or OK</source>
+        <translation>Was am Pfad des letzten Anwenden oder OK gemessen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocketPreferences</name>
+    <message>
+        <source>Spiral Pocket</source>
+        <translation>Spiraltasche</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Folder with own machines</source>
+        <translation>Ordner mit eigenen Maschinen</translation>
+    </message>
+    <message>
+        <source>Machine files (JSON) in this folder are offered besides those of the add-on; after the next start</source>
+        <translation>Maschinendateien (JSON) in diesem Ordner werden neben denen der Erweiterung angeboten; ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>Defaults of new operations</source>
+        <translation>Vorgaben für neue Operationen</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Strategie</translation>
+    </message>
+    <message>
+        <source>Step over percent</source>
+        <translation>Seitliche Zustellung (%)</translation>
+    </message>
+    <message>
+        <source>Cut mode</source>
+        <translation>Fräsart</translation>
+    </message>
+    <message>
+        <source>Helix ramp angle</source>
+        <translation>Eintauchwinkel der Helix</translation>
+    </message>
+    <message>
+        <source>Feed mode</source>
+        <translation>Vorschubart</translation>
+    </message>
+    <message>
+        <source>Slow-down percent</source>
+        <translation>Verlangsamter Vorschub (%)</translation>
+    </message>
+    <message>
+        <source>Max feed ratio</source>
+        <translation>Größter Vorschubfaktor</translation>
+    </message>
+    <message>
+        <source>Link feed</source>
+        <translation>Verbindungsvorschub</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocket_Create</name>
+    <message>
+        <source>Spiral Pocket</source>
+        <translation>Spiraltasche</translation>
+    </message>
+    <message>
+        <source>Clears the pockets above the selected floors with one smooth spiral each</source>
+        <translation>Räumt die Taschen über den gewählten Böden mit je einer glatten Spirale</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,1323 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<!-- SPDX-License-Identifier: LGPL-2.1-or-later -->
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>How the laps of the spiral are made</source>
+        <translation>Comment les tours de la spirale sont faits</translation>
+    </message>
+    <message>
+        <source>Percent of cutter diameter to step over on each lap, at most</source>
+        <translation>Pas latéral par tour, en pour cent du diamètre de la fraise, au plus</translation>
+    </message>
+    <message>
+        <source>Largest engagement angle of a straight cut, in place of StepOver; 0 for that of StepOver</source>
+        <translation>Angle d'engagement maximal en coupe droite, à la place de StepOver ; 0 pour celui de StepOver</translation>
+    </message>
+    <message>
+        <source>Climb or conventional milling, for a spindle that turns clockwise</source>
+        <translation>En avalant ou en opposition, broche tournant à droite</translation>
+    </message>
+    <message>
+        <source>How much stock to leave in the XY plane (eg for finishing operation)</source>
+        <translation>Surépaisseur laissée dans le plan XY (p. ex. pour la finition)</translation>
+    </message>
+    <message>
+        <source>How much stock to leave along the Z axis</source>
+        <translation>Surépaisseur laissée selon Z</translation>
+    </message>
+    <message>
+        <source>Ramp angle of the helical entry</source>
+        <translation>Angle de pente de l'entrée en hélice</translation>
+    </message>
+    <message>
+        <source>Limit helix entry diameter, if limit larger than tool diameter or 0, tool diameter is used</source>
+        <translation>Limite du diamètre de l'hélice ; si elle dépasse le diamètre de l'outil ou vaut 0, c'est le diamètre de l'outil</translation>
+    </message>
+    <message>
+        <source>Largest deviation of the path from the exact curve</source>
+        <translation>Plus grand écart du parcours à la courbe exacte</translation>
+    </message>
+    <message>
+        <source>The machine on which the time is to be least</source>
+        <translation>La machine sur laquelle le temps doit être minimal</translation>
+    </message>
+    <message>
+        <source>How the feed follows the engagement: slowed where it passes the limit, slowed linearly with the chip, or raised where the chip is thin</source>
+        <translation>Comment l'avance suit l'engagement : ralentie là où il dépasse la limite, ralentie linéairement avec le copeau, ou augmentée là où le copeau est mince</translation>
+    </message>
+    <message>
+        <source>Feed at the largest radial depth of cut, in percent (Linear slow-down)</source>
+        <translation>Avance à la plus grande prise radiale, en pour cent (Ralentissement linéaire)</translation>
+    </message>
+    <message>
+        <source>Largest feed where the chip is thin, as a multiple of the tool controller's (Chip thickness)</source>
+        <translation>Plus grande avance en copeau mince, en multiple de celle du contrôleur (Épaisseur du copeau)</translation>
+    </message>
+    <message>
+        <source>Feed of moves at depth through cleared ground in mm/min, 0 for the horizontal rapid rate</source>
+        <translation>Avance des trajets en profondeur sur zone vidée en mm/min, 0 pour l'avance rapide horizontale</translation>
+    </message>
+    <message>
+        <source>Largest axial depth of one level of a slot that opens the pocket, 0 for automatic</source>
+        <translation>Plus grande passe axiale d'une rainure qui ouvre la poche, 0 pour automatique</translation>
+    </message>
+    <message>
+        <source>To take a finishing lap along the walls at the end; Automatic does without, its laps finish the walls</source>
+        <translation>Terminer par une passe de finition le long des parois ; inutile en Automatique, dont les tours finissent les parois</translation>
+    </message>
+    <message>
+        <source>Ignore islands and clear everything inside the outline</source>
+        <translation>Ignorer les îlots et vider tout l'intérieur du contour</translation>
+    </message>
+    <message>
+        <source>Make True, if specifying a Start Point</source>
+        <translation>Mettre à Vrai pour imposer un point de départ</translation>
+    </message>
+    <message>
+        <source>Where the cutter goes down, as near as it can; its height does not matter</source>
+        <translation>Où la fraise plonge, au plus près ; la hauteur est sans importance</translation>
+    </message>
+    <message>
+        <source>The exact curves behind the path, B-splines at the floors; can be exported to STEP</source>
+        <translation>Les courbes exactes du parcours, B-splines sur les fonds ; exportables en STEP</translation>
+    </message>
+    <message>
+        <source>Largest engagement angle that was measured</source>
+        <translation>Plus grand angle d'engagement mesuré</translation>
+    </message>
+    <message>
+        <source>Area within the cutter's reach left standing, in mm^2</source>
+        <translation>Surface accessible à la fraise restée non usinée, en mm^2</translation>
+    </message>
+    <message>
+        <source>How far the cutter passes the walls, measured</source>
+        <translation>De combien la fraise dépasse les parois, mesuré</translation>
+    </message>
+    <message>
+        <source>Length of all cutting moves</source>
+        <translation>Longueur de tous les trajets de coupe</translation>
+    </message>
+    <message>
+        <source>Time of all moves at their own feeds, in seconds</source>
+        <translation>Temps de tous les trajets à leur avance, en secondes</translation>
+    </message>
+    <message>
+        <source>What the machinist should know about this path</source>
+        <translation>Ce qu'il faut savoir de ce parcours</translation>
+    </message>
+    <message>
+        <source>Version of these properties</source>
+        <translation>Version de ces propriétés</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocket</name>
+    <message>
+        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
+        <translation>Toute poche, avec îlots et étranglements : tient l'engagement, temps machine minimal</translation>
+    </message>
+    <message>
+        <source>One exact B-spline from a circle to the wall, for pockets without islands</source>
+        <translation>Une B-spline exacte du cercle à la paroi, pour poches sans îlots</translation>
+    </message>
+    <message>
+        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
+        <translation>Tours réguliers autour de la ligne médiane, pour poches longues et ramifiées</translation>
+    </message>
+    <message>
+        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
+        <translation>Tours en lignes d'égale température, lisses partout, pour poches compactes</translation>
+    </message>
+    <message>
+        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
+        <translation>Une spirale ronde qui prend la forme de la paroi, pour poches compactes</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All strategies side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare strategies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pocket {}, {:.0f} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting length</source>
+        <translation>Longueur de coupe</translation>
+    </message>
+    <message>
+        <source>Largest engagement</source>
+        <translation>Engagement maximal</translation>
+    </message>
+    <message>
+        <source>99 % of it below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean engagement</source>
+        <translation>Engagement moyen</translation>
+    </message>
+    <message>
+        <source>Left uncut</source>
+        <translation>Non usiné</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fastest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An error, see the Report view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planning... {:.0f} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create Spiral Pocket</source>
+        <translation>Créer une poche en spirale</translation>
+    </message>
+    <message>
+        <source>Add one with an end mill to the job, then try again.</source>
+        <translation>Ajoutez-en un avec une fraise deux tailles à la tâche, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>{} has no tool controller.</source>
+        <translation>{} n'a pas de contrôleur d'outil.</translation>
+    </message>
+    <message>
+        <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
+        <translation>Avance des trajets en profondeur sur zone vidée, 0 pour l'avance rapide horizontale</translation>
+    </message>
+    <message>
+        <source>Spiral Pocket</source>
+        <translation>Poche en spirale</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spiral Pocket plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the tool controller has no spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>engagement [°]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feed [mm/min]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>velocity [mm/min]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots need the Python library matplotlib.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install it with the Addon Manager or pip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; force in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engagement, feed, velocity and force along the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched off.</source>
+        <translation>Désactivé.</translation>
+    </message>
+    <message>
+        <source>This is the proved path.</source>
+        <translation>Ceci est le parcours vérifié.</translation>
+    </message>
+    <message>
+        <source>Draft. The path is being proved: {:.0f} %</source>
+        <translation>Ébauche. Parcours en vérification : {:.0f} %</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En direct</translation>
+    </message>
+    <message>
+        <source>Draw the path anew while values change</source>
+        <translation>Redessiner le parcours à chaque changement</translation>
+    </message>
+    <message>
+        <source>Engagement [°]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed [mm/min]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the colors of the cut show</source>
+        <translation>Ce que montrent les couleurs de la coupe</translation>
+    </message>
+    <message>
+        <source>Play the cut</source>
+        <translation>Jouer la coupe</translation>
+    </message>
+    <message>
+        <source>How far the cut is shown</source>
+        <translation>Jusqu'où la coupe est montrée</translation>
+    </message>
+    <message>
+        <source>Color by</source>
+        <translation>Colorer selon</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>entrée</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>liaison</translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation>rapide</translation>
+    </message>
+    <message>
+        <source>cleared</source>
+        <translation>vidé</translation>
+    </message>
+    <message>
+        <source>left over</source>
+        <translation>restant</translation>
+    </message>
+    <message>
+        <source>island</source>
+        <translation>îlot</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Not known yet.</source>
+        <translation>Pas encore connu.</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>The operation has this path.</source>
+        <translation>L'opération a ce parcours.</translation>
+    </message>
+    <message>
+        <source>OK or Apply makes this path.</source>
+        <translation>OK ou Appliquer crée ce parcours.</translation>
+    </message>
+    <message>
+        <source>There is no path.</source>
+        <translation>Il n'y a pas de parcours.</translation>
+    </message>
+    <message>
+        <source>Click to see the place</source>
+        <translation>Cliquer pour voir l'endroit</translation>
+    </message>
+    <message>
+        <source>FreeCAD's estimate</source>
+        <translation>Estimation de FreeCAD</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Surcoupe</translation>
+    </message>
+    <message>
+        <source>Time on {}</source>
+        <translation>Temps sur {}</translation>
+    </message>
+    <message>
+        <source>{:.0f}°, limit {:.0f}°</source>
+        <translation>{:.0f}°, limite {:.0f}°</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Apply computes the path.</source>
+        <translation>Appliquer calcule le parcours.</translation>
+    </message>
+    <message>
+        <source>Time {}, cutting length {}</source>
+        <translation>Temps {}, longueur de coupe {}</translation>
+    </message>
+    <message>
+        <source>Largest engagement {:.0f}°, {:.0f}° on a straight cut</source>
+        <translation>Engagement maximal {:.0f}°, {:.0f}° en coupe droite</translation>
+    </message>
+    <message>
+        <source>Uncut {}, gouge {}</source>
+        <translation>Non usiné {}, surcoupe {}</translation>
+    </message>
+    <message>
+        <source>The same step-over as a length, for this cutter</source>
+        <translation>Le même pas latéral en longueur, pour cette fraise</translation>
+    </message>
+    <message>
+        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
+        <translation>L'angle d'engagement en coupe droite à ce pas : 90° à la moitié du diamètre, 180° en pleine rainure</translation>
+    </message>
+    <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Supprimer la poche en spirale</translation>
+    </message>
+    <message>
+        <source>An error in the add-on: the path was not computed.</source>
+        <translation>Une erreur dans l'extension : le parcours n'a pas été calculé.</translation>
+    </message>
+    <message>
+        <source>Please report it with the text in the Report view.</source>
+        <translation>Merci de le signaler avec le texte de la vue rapport.</translation>
+    </message>
+    <message>
+        <source>Use as Default in This Job</source>
+        <translation>Utiliser par défaut dans cette tâche</translation>
+    </message>
+    <message>
+        <source>Drag it into the job's operations.</source>
+        <translation>Faites-la glisser dans les opérations de la tâche.</translation>
+    </message>
+    <message>
+        <source>{} is not in a job.</source>
+        <translation>{} n'est dans aucune tâche.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Linear Morph</source>
+        <translation>Morphing linéaire</translation>
+    </message>
+    <message>
+        <source>Extended Archimedean</source>
+        <translation>Archimédienne étendue</translation>
+    </message>
+    <message>
+        <source>Isotherm</source>
+        <translation>Isothermes</translation>
+    </message>
+    <message>
+        <source>Central Spiral</source>
+        <translation>Spirale centrale</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>En avalant</translation>
+    </message>
+    <message>
+        <source>Conventional</source>
+        <translation>En opposition</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>Constante</translation>
+    </message>
+    <message>
+        <source>Linear slow-down</source>
+        <translation>Ralentissement linéaire</translation>
+    </message>
+    <message>
+        <source>Chip thickness</source>
+        <translation>Épaisseur du copeau</translation>
+    </message>
+    <message>
+        <source>Benchtop mill</source>
+        <translation>Fraiseuse d'établi</translation>
+    </message>
+    <message>
+        <source>Hobby router</source>
+        <translation>Fraiseuse à portique amateur</translation>
+    </message>
+    <message>
+        <source>Huron with Siemens 840D</source>
+        <translation>Huron avec Siemens 840D</translation>
+    </message>
+    <message>
+        <source>Mikron UCP710</source>
+        <translation>Mikron UCP710</translation>
+    </message>
+    <message>
+        <source>Vertical machining center</source>
+        <translation>Centre d'usinage vertical</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocketMessages</name>
+    <message>
+        <source>the pocket</source>
+        <translation>la poche</translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation>rapide</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>liaison</translation>
+    </message>
+    <message>
+        <source>The cutter's diameter</source>
+        <translation>Diamètre de la fraise</translation>
+    </message>
+    <message>
+        <source>The horizontal feed</source>
+        <translation>Avance horizontale</translation>
+    </message>
+    <message>
+        <source>The vertical feed</source>
+        <translation>Avance verticale</translation>
+    </message>
+    <message>
+        <source>The horizontal rapid rate</source>
+        <translation>Avance rapide horizontale</translation>
+    </message>
+    <message>
+        <source>The vertical rapid rate</source>
+        <translation>Avance rapide verticale</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>XY stock to leave</source>
+        <translation>Surépaisseur XY</translation>
+    </message>
+    <message>
+        <source>Z stock to leave</source>
+        <translation>Surépaisseur Z</translation>
+    </message>
+    <message>
+        <source>with {0} mm of stock to leave</source>
+        <translation>avec {0} mm de surépaisseur</translation>
+    </message>
+    <message>
+        <source>Pocket {0} of {1}: {2}</source>
+        <translation>Poche {0} sur {1} : {2}</translation>
+    </message>
+    <message>
+        <source>0.01 mm is usual.</source>
+        <translation>0.01 mm est usuel.</translation>
+    </message>
+    <message>
+        <source>A cutter below {0} mm reaches it.</source>
+        <translation>Une fraise de moins de {0} mm y accède.</translation>
+    </message>
+    <message>
+        <source>A helix angle of {0} degrees cannot be cut.</source>
+        <translation>Un angle d'hélice de {0} degrés est impossible.</translation>
+    </message>
+    <message>
+        <source>A largest engagement of {0} degrees cannot be cut.</source>
+        <translation>Un engagement maximal de {0} degrés est impossible.</translation>
+    </message>
+    <message>
+        <source>A smaller StepDown makes them smaller; a finishing operation removes them.</source>
+        <translation>Un StepDown plus petit les réduit ; une opération de finition les enlève.</translation>
+    </message>
+    <message>
+        <source>A smaller step-over may clear it.</source>
+        <translation>Un pas latéral plus petit peut l'enlever.</translation>
+    </message>
+    <message>
+        <source>A step down of {0} mm never reaches the floor.</source>
+        <translation>Avec une passe de {0} mm, le fond n'est jamais atteint.</translation>
+    </message>
+    <message>
+        <source>A step-over of {0} mm is wider than the {1} mm cutter.</source>
+        <translation>Un pas latéral de {0} mm dépasse la fraise de {1} mm.</translation>
+    </message>
+    <message>
+        <source>A step-over of {0} mm never clears the pocket.</source>
+        <translation>Un pas latéral de {0} mm ne vide jamais la poche.</translation>
+    </message>
+    <message>
+        <source>A {0} move runs through standing stock at {at}, {1} mm in all.</source>
+        <translation>Un trajet ({0}) traverse de la matière en {at}, {1} mm en tout.</translation>
+    </message>
+    <message>
+        <source>Add it; vmc.json shows how.</source>
+        <translation>Ajoutez-le ; vmc.json montre comment.</translation>
+    </message>
+    <message>
+        <source>Add the part to the job's model.</source>
+        <translation>Ajoutez la pièce au modèle de la tâche.</translation>
+    </message>
+    <message>
+        <source>At Z{0} the pocket reaches under a wall.</source>
+        <translation>À Z{0} la poche passe sous une paroi.</translation>
+    </message>
+    <message>
+        <source>At {at} the cutter cuts {0} mm into the wall.</source>
+        <translation>En {at} la fraise entame la paroi de {0} mm.</translation>
+    </message>
+    <message>
+        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}.</source>
+        <translation>En {at} l'engagement atteint {0} degrés, le pas de {1} % en permet {2}.</translation>
+    </message>
+    <message>
+        <source>Central Spiral cannot go round islands; there is one at {at}.</source>
+        <translation>La Spirale centrale ne contourne pas les îlots ; il y en a un en {at}.</translation>
+    </message>
+    <message>
+        <source>Central Spiral needs a pocket whose whole wall can be seen from one place in its middle; the one at {at} has walls behind corners.</source>
+        <translation>La Spirale centrale demande une poche dont toute la paroi se voit d'un point central ; celle en {at} a des parois cachées derrière des coins.</translation>
+    </message>
+    <message>
+        <source>Check the outline for tiny steps, or choose a smaller cutter.</source>
+        <translation>Cherchez de minuscules marches dans le contour, ou prenez une fraise plus petite.</translation>
+    </message>
+    <message>
+        <source>Check the part's geometry in the Part workbench and repair the face.</source>
+        <translation>Vérifiez la géométrie dans l'atelier Part et réparez la face.</translation>
+    </message>
+    <message>
+        <source>Check the part's geometry in the Part workbench.</source>
+        <translation>Vérifiez la géométrie dans l'atelier Part.</translation>
+    </message>
+    <message>
+        <source>Checking the pocket</source>
+        <translation>Vérification de la poche</translation>
+    </message>
+    <message>
+        <source>Choose a tool controller with an end mill in it.</source>
+        <translation>Choisissez un contrôleur avec une fraise deux tailles.</translation>
+    </message>
+    <message>
+        <source>Choose another strategy, for example Automatic.</source>
+        <translation>Choisissez une autre stratégie, par exemple Automatique.</translation>
+    </message>
+    <message>
+        <source>Choose one of: {0}.</source>
+        <translation>Choisissez parmi : {0}.</translation>
+    </message>
+    <message>
+        <source>Choose one with an end mill in it.</source>
+        <translation>Choisissez-en un avec une fraise deux tailles.</translation>
+    </message>
+    <message>
+        <source>Choose the strategy Automatic or Isotherm for this pocket.</source>
+        <translation>Choisissez la stratégie Automatique ou Isothermes pour cette poche.</translation>
+    </message>
+    <message>
+        <source>Clear that side with another operation, or enlarge the floor in the model.</source>
+        <translation>Videz ce côté avec une autre opération, ou agrandissez le fond dans le modèle.</translation>
+    </message>
+    <message>
+        <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
+        <translation>Fermez-la d'abord (atelier Part, Vérifier la géométrie et Convertir en solide).</translation>
+    </message>
+    <message>
+        <source>Compare it with vmc.json.</source>
+        <translation>Comparez-le à vmc.json.</translation>
+    </message>
+    <message>
+        <source>Do not run this path; check the final depth and the floor stock.</source>
+        <translation>N'usinez pas ce parcours ; vérifiez la profondeur finale et la surépaisseur du fond.</translation>
+    </message>
+    <message>
+        <source>Do not run this path; try another strategy or step-over.</source>
+        <translation>N'usinez pas ce parcours ; essayez une autre stratégie ou un autre pas.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Drag it into the job's operations.</source>
+        <translation>Faites-la glisser dans les opérations de la tâche.</translation>
+    </message>
+    <message>
+        <source>Give it the number of an end mill, 1 or higher.</source>
+        <translation>Donnez-lui le numéro d'une fraise, 1 ou plus.</translation>
+    </message>
+    <message>
+        <source>Install it with FreeCAD's Addon Manager (it is a dependency of Spiral Pocket) or with pip into the Python that FreeCAD uses, then start FreeCAD again.</source>
+        <translation>Installez-la avec le gestionnaire d'extensions de FreeCAD (c'est une dépendance de Spiral Pocket) ou avec pip dans le Python de FreeCAD, puis relancez FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Isotherm would need more than {0} laps.</source>
+        <translation>Isothermes demanderait plus de {0} tours.</translation>
+    </message>
+    <message>
+        <source>Laps of Linear Morph would cross themselves at {at}, where the wall turns away from the middle of the pocket.</source>
+        <translation>Des tours du Morphing linéaire se croiseraient en {at}, où la paroi se détourne du centre de la poche.</translation>
+    </message>
+    <message>
+        <source>Laying the spiral</source>
+        <translation>Tracé de la spirale</translation>
+    </message>
+    <message>
+        <source>Linear Morph cannot go round islands; there is one at {at}.</source>
+        <translation>Le Morphing linéaire ne contourne pas les îlots ; il y en a un en {at}.</translation>
+    </message>
+    <message>
+        <source>Linear Morph finds no middle to start from.</source>
+        <translation>Le Morphing linéaire ne trouve pas de centre de départ.</translation>
+    </message>
+    <message>
+        <source>Lower FinishDepth or raise StepDown.</source>
+        <translation>Diminuez FinishDepth ou augmentez StepDown.</translation>
+    </message>
+    <message>
+        <source>Lower StockToLeave.</source>
+        <translation>Diminuez StockToLeave.</translation>
+    </message>
+    <message>
+        <source>Lower ZStockToLeave.</source>
+        <translation>Diminuez ZStockToLeave.</translation>
+    </message>
+    <message>
+        <source>Lower the feed or the step-over if the cut is too heavy for the cutter.</source>
+        <translation>Réduisez l'avance ou le pas si la coupe est trop lourde pour la fraise.</translation>
+    </message>
+    <message>
+        <source>Machine that part from another side, or with an undercutting tool.</source>
+        <translation>Usinez cette partie d'un autre côté, ou avec un outil de contre-dépouille.</translation>
+    </message>
+    <message>
+        <source>Mend or remove it.</source>
+        <translation>Corrigez-la ou supprimez-la.</translation>
+    </message>
+    <message>
+        <source>More than {0} laps are left beside the spirals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No face is selected.</source>
+        <translation>Aucune face n'est sélectionnée.</translation>
+    </message>
+    <message>
+        <source>Planning feeds</source>
+        <translation>Calcul des avances</translation>
+    </message>
+    <message>
+        <source>Proving the path</source>
+        <translation>Preuve du parcours</translation>
+    </message>
+    <message>
+        <source>Put an end mill into the tool controller.</source>
+        <translation>Mettez une fraise deux tailles dans le contrôleur d'outil.</translation>
+    </message>
+    <message>
+        <source>Recompute the operation to try again.</source>
+        <translation>Recalculez l'opération pour réessayer.</translation>
+    </message>
+    <message>
+        <source>Remove it from the base geometry and select the floor of the pocket again.</source>
+        <translation>Retirez-la de la géométrie de base et sélectionnez à nouveau le fond de la poche.</translation>
+    </message>
+    <message>
+        <source>Repair the part (Part workbench, Check Geometry).</source>
+        <translation>Réparez la pièce (atelier Part, Vérifier la géométrie).</translation>
+    </message>
+    <message>
+        <source>Select the floor face of the pocket.</source>
+        <translation>Sélectionnez la face du fond de la poche.</translation>
+    </message>
+    <message>
+        <source>Select the floor of the pocket, a flat level face with walls around it.</source>
+        <translation>Sélectionnez le fond de la poche, une face plane et horizontale entourée de parois.</translation>
+    </message>
+    <message>
+        <source>Select the floor of the pocket, or turn the part over.</source>
+        <translation>Sélectionnez le fond de la poche, ou retournez la pièce.</translation>
+    </message>
+    <message>
+        <source>Set ClearanceHeight above SafeHeight above StartDepth.</source>
+        <translation>Mettez ClearanceHeight au-dessus de SafeHeight, elle-même au-dessus de StartDepth.</translation>
+    </message>
+    <message>
+        <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
+        <translation>Mettez HelixAngle entre 1 et 30 degrés ; 5 est usuel.</translation>
+    </message>
+    <message>
+        <source>Set HelixDiameterLimit to 0 for no limit.</source>
+        <translation>Mettez HelixDiameterLimit à 0 pour aucune limite.</translation>
+    </message>
+    <message>
+        <source>Set LinkFeed to 0 for the horizontal rapid rate.</source>
+        <translation>Mettez LinkFeed à 0 pour l'avance rapide horizontale.</translation>
+    </message>
+    <message>
+        <source>Set MaxEngagement up to {0} degrees, or to 0 for StepOver's.</source>
+        <translation>Mettez MaxEngagement à {0} degrés au plus, ou à 0 pour celui de StepOver.</translation>
+    </message>
+    <message>
+        <source>Set MaxFeedRatio to 1 or more; 2 is usual.</source>
+        <translation>Mettez MaxFeedRatio à 1 ou plus ; 2 est usuel.</translation>
+    </message>
+    <message>
+        <source>Set SlowdownPercent between 1 and 100; 75 is usual.</source>
+        <translation>Mettez SlowdownPercent entre 1 et 100 ; 75 est usuel.</translation>
+    </message>
+    <message>
+        <source>Set StartDepth above FinalDepth.</source>
+        <translation>Mettez StartDepth au-dessus de FinalDepth.</translation>
+    </message>
+    <message>
+        <source>Set StartPoint inside one, or do without.</source>
+        <translation>Mettez StartPoint dans l'une d'elles, ou passez-vous-en.</translation>
+    </message>
+    <message>
+        <source>Set StartPoint, or do without.</source>
+        <translation>Réglez StartPoint, ou passez-vous-en.</translation>
+    </message>
+    <message>
+        <source>Set StepDown above 0.</source>
+        <translation>Mettez StepDown au-dessus de 0.</translation>
+    </message>
+    <message>
+        <source>Set StepOver above 0; 20 to 45 % of the cutter's diameter is usual.</source>
+        <translation>Mettez StepOver au-dessus de 0 ; 20 à 45 % du diamètre de la fraise est usuel.</translation>
+    </message>
+    <message>
+        <source>Set StepOver to 100 % or less.</source>
+        <translation>Mettez StepOver à 100 % ou moins.</translation>
+    </message>
+    <message>
+        <source>Set it in the tool of the tool controller.</source>
+        <translation>Réglez-le dans l'outil du contrôleur d'outil.</translation>
+    </message>
+    <message>
+        <source>Set it to 0 for none.</source>
+        <translation>Mettez 0 pour aucune.</translation>
+    </message>
+    <message>
+        <source>Set the feeds in the tool controller.</source>
+        <translation>Réglez les avances dans le contrôleur d'outil.</translation>
+    </message>
+    <message>
+        <source>Set the horizontal and vertical feed in the tool controller.</source>
+        <translation>Réglez les avances horizontale et verticale dans le contrôleur d'outil.</translation>
+    </message>
+    <message>
+        <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
+        <translation>Spiral Pocket demande shapely 2, ce FreeCAD a {0}.</translation>
+    </message>
+    <message>
+        <source>Spiral Pocket needs the Python library {0}, which this FreeCAD lacks.</source>
+        <translation>Spiral Pocket demande la bibliothèque Python {0}, absente de ce FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Stopped by the user.</source>
+        <translation>Arrêté par l'utilisateur.</translation>
+    </message>
+    <message>
+        <source>Take a cutter below {0} mm, or raise HelixDiameterLimit if it is set.</source>
+        <translation>Prenez une fraise de moins de {0} mm, ou augmentez HelixDiameterLimit s'il est réglé.</translation>
+    </message>
+    <message>
+        <source>Take a cutter below {0} mm.</source>
+        <translation>Prenez une fraise de moins de {0} mm.</translation>
+    </message>
+    <message>
+        <source>Take a larger step-over or the strategy Automatic.</source>
+        <translation>Prenez un pas plus grand ou la stratégie Automatique.</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter or the strategy Automatic.</source>
+        <translation>Prenez une fraise plus petite ou la stratégie Automatique.</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter.</source>
+        <translation>Prenez une fraise plus petite.</translation>
+    </message>
+    <message>
+        <source>Take a wider cutter or a larger step-over.</source>
+        <translation>Prenez une fraise plus grosse ou un pas plus grand.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the floor.</source>
+        <translation>La fraise descend {0} mm sous le fond.</translation>
+    </message>
+    <message>
+        <source>The cutter has no room to go down anywhere in the pocket.</source>
+        <translation>La fraise n'a nulle part la place de plonger dans la poche.</translation>
+    </message>
+    <message>
+        <source>The depths are upside down: the pocket's floor (final depth {0} mm) is not below its top (start depth {1} mm).</source>
+        <translation>Les profondeurs sont inversées : le fond de la poche (profondeur finale {0} mm) n'est pas sous le dessus (profondeur de départ {1} mm).</translation>
+    </message>
+    <message>
+        <source>The expression of {0} cannot be evaluated: {1}.</source>
+        <translation>L'expression de {0} ne peut être évaluée : {1}.</translation>
+    </message>
+    <message>
+        <source>The finish depth of {0} mm is not between 0 and the step down of {1} mm.</source>
+        <translation>La profondeur de finition de {0} mm n'est pas entre 0 et la passe de {1} mm.</translation>
+    </message>
+    <message>
+        <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
+        <translation>Les hauteurs sont inversées : dégagement {0} mm, sécurité {1} mm, profondeur de départ {2} mm.</translation>
+    </message>
+    <message>
+        <source>The helix's diameter limit is negative.</source>
+        <translation>La limite du diamètre de l'hélice est négative.</translation>
+    </message>
+    <message>
+        <source>The largest feed ratio of {0} is below 1.</source>
+        <translation>Le rapport d'avance maximal {0} est inférieur à 1.</translation>
+    </message>
+    <message>
+        <source>The level from Z{0} to Z{1} is not between 0 and the step down of {2} mm deep.</source>
+        <translation>Le niveau de Z{0} à Z{1} n'a pas une profondeur entre 0 et la passe de {2} mm.</translation>
+    </message>
+    <message>
+        <source>The link feed is negative.</source>
+        <translation>L'avance de liaison est négative.</translation>
+    </message>
+    <message>
+        <source>The lowest level, at Z{0}, is not the pocket's floor.</source>
+        <translation>Le niveau le plus bas, à Z{0}, n'est pas le fond de la poche.</translation>
+    </message>
+    <message>
+        <source>The machine file {0} cannot be read: {1}.</source>
+        <translation>Le fichier machine {0} est illisible : {1}.</translation>
+    </message>
+    <message>
+        <source>The machine file {0} is broken: {1}.</source>
+        <translation>Le fichier machine {0} est défectueux : {1}.</translation>
+    </message>
+    <message>
+        <source>The machine file {0} lacks {1}.</source>
+        <translation>Il manque {1} au fichier machine {0}.</translation>
+    </message>
+    <message>
+        <source>The outline of {0} crosses itself.</source>
+        <translation>Le contour de {0} se croise.</translation>
+    </message>
+    <message>
+        <source>The outline of {0} is not closed at X{1} Y{2}.</source>
+        <translation>Le contour de {0} n'est pas fermé en X{1} Y{2}.</translation>
+    </message>
+    <message>
+        <source>The part overhangs the whole floor; no cutter gets there from above.</source>
+        <translation>La pièce surplombe tout le fond ; aucune fraise n'y accède d'en haut.</translation>
+    </message>
+    <message>
+        <source>The part with {0} is an open shell, not a closed solid.</source>
+        <translation>La pièce avec {0} est une coque ouverte, pas un solide fermé.</translation>
+    </message>
+    <message>
+        <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
+        <translation>Le parcours a été fait, mais entamerait la paroi de {0} mm ; il n'est pas remis.</translation>
+    </message>
+    <message>
+        <source>The pocket has no area.</source>
+        <translation>La poche n'a pas de surface.</translation>
+    </message>
+    <message>
+        <source>The pocket is more than {0} step-overs wide.</source>
+        <translation>La poche fait plus de {0} pas de large.</translation>
+    </message>
+    <message>
+        <source>The pocket is open at a side; the cutter stays within the floor there.</source>
+        <translation>La poche est ouverte d'un côté ; la fraise y reste dans les limites du fond.</translation>
+    </message>
+    <message>
+        <source>The pocket is too narrow at {at} for Isotherm: no isotherm leads through.</source>
+        <translation>La poche est trop étroite en {at} pour Isothermes : aucune isotherme n'y passe.</translation>
+    </message>
+    <message>
+        <source>The pocket's outline has points at infinity.</source>
+        <translation>Le contour de la poche a des points à l'infini.</translation>
+    </message>
+    <message>
+        <source>The pocket's outline is broken ({0}).</source>
+        <translation>Le contour de la poche est défectueux ({0}).</translation>
+    </message>
+    <message>
+        <source>The pocket's wall near {at} is too jagged or too narrow for Linear Morph.</source>
+        <translation>La paroi de la poche près de {at} est trop dentelée ou trop étroite pour le Morphing linéaire.</translation>
+    </message>
+    <message>
+        <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
+        <translation>L'avance ralentie de {0} pour cent n'est pas entre 0 et 100.</translation>
+    </message>
+    <message>
+        <source>The start point at {at} lies in none of the pockets.</source>
+        <translation>Le point de départ en {at} n'est dans aucune des poches.</translation>
+    </message>
+    <message>
+        <source>The start point is not a place.</source>
+        <translation>Le point de départ n'est pas un lieu.</translation>
+    </message>
+    <message>
+        <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
+        <translation>La paroi de la poche vers {at} est trop dentelée pour la Spirale centrale.</translation>
+    </message>
+    <message>
+        <source>The {0} is not a number.</source>
+        <translation>{0} n'est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit the pocket{1}: it is {2} mm wide at its widest, at {at}.</source>
+        <translation>La fraise de {0} mm n'entre pas dans la poche{1} : elle fait {2} mm au plus large, en {at}.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
+        <translation>La fraise de {0} mm ne passe pas l'étranglement de {1} mm en {at} ; cette partie ({2} mm2) reste non usinée.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
+        <translation>La fraise de {0} mm entre dans la poche, mais n'a pas la place pour son hélice en {at} (cercle de {1} mm).</translation>
+    </message>
+    <message>
+        <source>There is no machine '{0}'.</source>
+        <translation>Il n'y a pas de machine '{0}'.</translation>
+    </message>
+    <message>
+        <source>Try another step-over or strategy, and please report this pocket.</source>
+        <translation>Essayez un autre pas ou une autre stratégie, et signalez cette poche.</translation>
+    </message>
+    <message>
+        <source>Turn the part over, or machine it from another side.</source>
+        <translation>Retournez la pièce, ou usinez-la d'un autre côté.</translation>
+    </message>
+    <message>
+        <source>Use a flat end mill, or finish the floor with one.</source>
+        <translation>Utilisez une fraise à bout plat, ou finissez-en le fond.</translation>
+    </message>
+    <message>
+        <source>Walls lean over the floor; {0} mm2 of it below them stay uncut.</source>
+        <translation>Des parois surplombent le fond ; {0} mm2 en dessous restent non usinés.</translation>
+    </message>
+    <message>
+        <source>Walls that are not vertical keep steps up to {0} mm wide and {1} mm high, the widest at {at}.</source>
+        <translation>Les parois non verticales gardent des marches jusqu'à {0} mm de large et {1} mm de haut, la plus large en {at}.</translation>
+    </message>
+    <message>
+        <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
+        <translation>Avec {0} mm de surépaisseur au fond, il ne reste rien à usiner.</translation>
+    </message>
+    <message>
+        <source>{0} That part stays uncut.</source>
+        <translation>{0} Cette partie reste non usinée.</translation>
+    </message>
+    <message>
+        <source>{0} This pocket is not cut.</source>
+        <translation>{0} Cette poche n'est pas usinée.</translation>
+    </message>
+    <message>
+        <source>{0} has no feeds; the path carries none and its time is unknown.</source>
+        <translation>{0} n'a pas d'avances ; le parcours n'en a pas non plus et son temps est inconnu.</translation>
+    </message>
+    <message>
+        <source>{0} has no model.</source>
+        <translation>{0} n'a pas de modèle.</translation>
+    </message>
+    <message>
+        <source>{0} has no tool controller.</source>
+        <translation>{0} n'a pas de contrôleur d'outil.</translation>
+    </message>
+    <message>
+        <source>{0} has no tool, or one without a diameter.</source>
+        <translation>{0} n'a pas d'outil, ou un outil sans diamètre.</translation>
+    </message>
+    <message>
+        <source>{0} has tool number 0, which stands for no tool.</source>
+        <translation>{0} a le numéro d'outil 0, qui signifie aucun outil.</translation>
+    </message>
+    <message>
+        <source>{0} is not a face.</source>
+        <translation>{0} n'est pas une face.</translation>
+    </message>
+    <message>
+        <source>{0} is not an end mill; it cannot clear a pocket.</source>
+        <translation>{0} n'est pas une fraise deux tailles ; il ne peut vider une poche.</translation>
+    </message>
+    <message>
+        <source>{0} is not flat at its end and leaves ridges on the floor.</source>
+        <translation>{0} n'a pas le bout plat et laisse des crêtes au fond.</translation>
+    </message>
+    <message>
+        <source>{0} is not flat.</source>
+        <translation>{0} n'est pas plane.</translation>
+    </message>
+    <message>
+        <source>{0} is not in a job.</source>
+        <translation>{0} n'est dans aucune tâche.</translation>
+    </message>
+    <message>
+        <source>{0} is not level.</source>
+        <translation>{0} n'est pas horizontale.</translation>
+    </message>
+    <message>
+        <source>{0} is not the floor of a pocket: no wall rises from it.</source>
+        <translation>{0} n'est pas le fond d'une poche : aucune paroi n'en monte.</translation>
+    </message>
+    <message>
+        <source>{0} is not there any more: the model has changed.</source>
+        <translation>{0} n'existe plus : le modèle a changé.</translation>
+    </message>
+    <message>
+        <source>{0} is vertical: it is a wall, not a floor.</source>
+        <translation>{0} est verticale : c'est une paroi, pas un fond.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; it must be more than 0.</source>
+        <translation>{0} : {1}. La valeur doit être supérieure à 0.</translation>
+    </message>
+    <message>
+        <source>{0} looks down.</source>
+        <translation>{0} regarde vers le bas.</translation>
+    </message>
+    <message>
+        <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>
+        <translation>{0} mm2 du fond restent non usinés, la plus grande partie en {at}.</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocketPanel</name>
+    <message>
+        <source>Tool controller</source>
+        <translation>Contrôleur d'outil</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Arrosage</translation>
+    </message>
+    <message>
+        <source>Edit Tool Controller</source>
+        <translation>Modifier le contrôleur d'outil</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Step over percent</source>
+        <translation>Pas latéral (%)</translation>
+    </message>
+    <message>
+        <source>Step over</source>
+        <translation>Pas latéral</translation>
+    </message>
+    <message>
+        <source>Engagement angle</source>
+        <translation>Angle d'engagement</translation>
+    </message>
+    <message>
+        <source>Cut mode</source>
+        <translation>Sens de coupe</translation>
+    </message>
+    <message>
+        <source>XY stock to leave</source>
+        <translation>Surépaisseur XY</translation>
+    </message>
+    <message>
+        <source>Z stock to leave</source>
+        <translation>Surépaisseur Z</translation>
+    </message>
+    <message>
+        <source>Helix ramp angle</source>
+        <translation>Angle de l'hélice</translation>
+    </message>
+    <message>
+        <source>Helix max diameter</source>
+        <translation>Diamètre max. de l'hélice</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Feed mode</source>
+        <translation>Mode d'avance</translation>
+    </message>
+    <message>
+        <source>Slow-down percent</source>
+        <translation>Avance ralentie (%)</translation>
+    </message>
+    <message>
+        <source>Max feed ratio</source>
+        <translation>Rapport d'avance max.</translation>
+    </message>
+    <message>
+        <source>Finishing profile</source>
+        <translation>Passe de finition</translation>
+    </message>
+    <message>
+        <source>Ignore islands</source>
+        <translation>Ignorer les îlots</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Avancé</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Link feed</source>
+        <translation>Avance de liaison</translation>
+    </message>
+    <message>
+        <source>Slot bite</source>
+        <translation>Passe en rainure</translation>
+    </message>
+    <message>
+        <source>Use start point</source>
+        <translation>Utiliser un point de départ</translation>
+    </message>
+    <message>
+        <source>Start point X</source>
+        <translation>Point de départ X</translation>
+    </message>
+    <message>
+        <source>Start point Y</source>
+        <translation>Point de départ Y</translation>
+    </message>
+    <message>
+        <source>Take the place that was clicked on the part</source>
+        <translation>Prendre l'endroit cliqué sur la pièce</translation>
+    </message>
+    <message>
+        <source>From selection</source>
+        <translation>Depuis la sélection</translation>
+    </message>
+    <message>
+        <source>What was measured on the path of the last Apply or OK</source>
+        <translation>Mesuré sur le parcours du dernier Appliquer ou OK</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocketPreferences</name>
+    <message>
+        <source>Spiral Pocket</source>
+        <translation>Poche en spirale</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Folder with own machines</source>
+        <translation>Dossier de vos machines</translation>
+    </message>
+    <message>
+        <source>Machine files (JSON) in this folder are offered besides those of the add-on; after the next start</source>
+        <translation>Les fichiers machine (JSON) de ce dossier s'ajoutent à ceux de l'extension, dès le prochain démarrage</translation>
+    </message>
+    <message>
+        <source>Defaults of new operations</source>
+        <translation>Valeurs par défaut des nouvelles opérations</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Step over percent</source>
+        <translation>Pas latéral (%)</translation>
+    </message>
+    <message>
+        <source>Cut mode</source>
+        <translation>Sens de coupe</translation>
+    </message>
+    <message>
+        <source>Helix ramp angle</source>
+        <translation>Angle de l'hélice</translation>
+    </message>
+    <message>
+        <source>Feed mode</source>
+        <translation>Mode d'avance</translation>
+    </message>
+    <message>
+        <source>Slow-down percent</source>
+        <translation>Avance ralentie (%)</translation>
+    </message>
+    <message>
+        <source>Max feed ratio</source>
+        <translation>Rapport d'avance max.</translation>
+    </message>
+    <message>
+        <source>Link feed</source>
+        <translation>Avance de liaison</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocket_Create</name>
+    <message>
+        <source>Spiral Pocket</source>
+        <translation>Poche en spirale</translation>
+    </message>
+    <message>
+        <source>Clears the pockets above the selected floors with one smooth spiral each</source>
+        <translation>Vide les poches au-dessus des fonds choisis, chacune d'une spirale lisse</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,1323 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<!-- SPDX-License-Identifier: LGPL-2.1-or-later -->
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>How the laps of the spiral are made</source>
+        <translation>螺线各圈的生成方式</translation>
+    </message>
+    <message>
+        <source>Percent of cutter diameter to step over on each lap, at most</source>
+        <translation>每圈步距占刀具直径的百分比上限</translation>
+    </message>
+    <message>
+        <source>Largest engagement angle of a straight cut, in place of StepOver; 0 for that of StepOver</source>
+        <translation>直线切削的最大啮合角，代替 StepOver；0 表示由 StepOver 决定</translation>
+    </message>
+    <message>
+        <source>Climb or conventional milling, for a spindle that turns clockwise</source>
+        <translation>顺铣或逆铣（主轴正转）</translation>
+    </message>
+    <message>
+        <source>How much stock to leave in the XY plane (eg for finishing operation)</source>
+        <translation>XY 平面内保留的余量（例如用于精加工）</translation>
+    </message>
+    <message>
+        <source>How much stock to leave along the Z axis</source>
+        <translation>沿 Z 轴保留的余量</translation>
+    </message>
+    <message>
+        <source>Ramp angle of the helical entry</source>
+        <translation>螺旋下刀的斜坡角度</translation>
+    </message>
+    <message>
+        <source>Limit helix entry diameter, if limit larger than tool diameter or 0, tool diameter is used</source>
+        <translation>螺旋下刀直径上限；若大于刀具直径或为 0，则用刀具直径</translation>
+    </message>
+    <message>
+        <source>Largest deviation of the path from the exact curve</source>
+        <translation>刀路与精确曲线的最大偏差</translation>
+    </message>
+    <message>
+        <source>The machine on which the time is to be least</source>
+        <translation>以用时最短为目标的机床</translation>
+    </message>
+    <message>
+        <source>How the feed follows the engagement: slowed where it passes the limit, slowed linearly with the chip, or raised where the chip is thin</source>
+        <translation>进给如何随啮合变化：超限处减速、随切屑线性减速，或在切屑薄处加速</translation>
+    </message>
+    <message>
+        <source>Feed at the largest radial depth of cut, in percent (Linear slow-down)</source>
+        <translation>最大径向切深处的进给百分比（线性减速）</translation>
+    </message>
+    <message>
+        <source>Largest feed where the chip is thin, as a multiple of the tool controller's (Chip thickness)</source>
+        <translation>切屑薄处的最大进给，为刀具控制器进给的倍数（切屑厚度）</translation>
+    </message>
+    <message>
+        <source>Feed of moves at depth through cleared ground in mm/min, 0 for the horizontal rapid rate</source>
+        <translation>在已清除区域内以切深移动时的进给 (mm/min)，0 为水平快移速度</translation>
+    </message>
+    <message>
+        <source>Largest axial depth of one level of a slot that opens the pocket, 0 for automatic</source>
+        <translation>开槽时每层的最大轴向切深，0 为自动</translation>
+    </message>
+    <message>
+        <source>To take a finishing lap along the walls at the end; Automatic does without, its laps finish the walls</source>
+        <translation>最后沿侧壁走一圈精加工；“自动”不需要，其圈次已精加工侧壁</translation>
+    </message>
+    <message>
+        <source>Ignore islands and clear everything inside the outline</source>
+        <translation>忽略岛屿，清除轮廓内的全部材料</translation>
+    </message>
+    <message>
+        <source>Make True, if specifying a Start Point</source>
+        <translation>指定起点时设为 True</translation>
+    </message>
+    <message>
+        <source>Where the cutter goes down, as near as it can; its height does not matter</source>
+        <translation>刀具下刀位置，尽可能靠近；高度无关</translation>
+    </message>
+    <message>
+        <source>The exact curves behind the path, B-splines at the floors; can be exported to STEP</source>
+        <translation>刀路背后的精确曲线，位于底面的 B 样条；可导出为 STEP</translation>
+    </message>
+    <message>
+        <source>Largest engagement angle that was measured</source>
+        <translation>测得的最大啮合角</translation>
+    </message>
+    <message>
+        <source>Area within the cutter's reach left standing, in mm^2</source>
+        <translation>刀具可达但未切除的面积 (mm^2)</translation>
+    </message>
+    <message>
+        <source>How far the cutter passes the walls, measured</source>
+        <translation>测得的刀具越过侧壁的距离</translation>
+    </message>
+    <message>
+        <source>Length of all cutting moves</source>
+        <translation>全部切削移动的长度</translation>
+    </message>
+    <message>
+        <source>Time of all moves at their own feeds, in seconds</source>
+        <translation>全部移动按各自进给的用时（秒）</translation>
+    </message>
+    <message>
+        <source>What the machinist should know about this path</source>
+        <translation>操作者应了解的刀路说明</translation>
+    </message>
+    <message>
+        <source>Version of these properties</source>
+        <translation>这些属性的版本</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocket</name>
+    <message>
+        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
+        <translation>任意型腔，含岛屿和窄颈：保持啮合角，机床用时最短</translation>
+    </message>
+    <message>
+        <source>One exact B-spline from a circle to the wall, for pockets without islands</source>
+        <translation>从圆到侧壁的一条精确 B 样条，用于无岛屿型腔</translation>
+    </message>
+    <message>
+        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
+        <translation>围绕中线的均匀圈次，用于狭长和分叉型腔</translation>
+    </message>
+    <message>
+        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
+        <translation>圈次如等温线，处处光顺，用于紧凑型腔</translation>
+    </message>
+    <message>
+        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
+        <translation>由圆螺线过渡到侧壁形状，用于紧凑型腔</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All strategies side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare strategies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pocket {}, {:.0f} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting length</source>
+        <translation>切削长度</translation>
+    </message>
+    <message>
+        <source>Largest engagement</source>
+        <translation>最大啮合角</translation>
+    </message>
+    <message>
+        <source>99 % of it below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean engagement</source>
+        <translation>平均啮合角</translation>
+    </message>
+    <message>
+        <source>Left uncut</source>
+        <translation>未切除</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fastest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An error, see the Report view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planning... {:.0f} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create Spiral Pocket</source>
+        <translation>创建螺旋型腔</translation>
+    </message>
+    <message>
+        <source>Add one with an end mill to the job, then try again.</source>
+        <translation>在作业中添加一个带立铣刀的刀具控制器，然后重试。</translation>
+    </message>
+    <message>
+        <source>{} has no tool controller.</source>
+        <translation>{} 没有刀具控制器。</translation>
+    </message>
+    <message>
+        <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
+        <translation>在已清除区域内以切深移动时的进给，0 为水平快移速度</translation>
+    </message>
+    <message>
+        <source>Spiral Pocket</source>
+        <translation>螺旋型腔</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spiral Pocket plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the tool controller has no spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>engagement [°]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feed [mm/min]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>velocity [mm/min]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots need the Python library matplotlib.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install it with the Addon Manager or pip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; force in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engagement, feed, velocity and force along the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched off.</source>
+        <translation>已关闭。</translation>
+    </message>
+    <message>
+        <source>This is the proved path.</source>
+        <translation>这是已验证的刀路。</translation>
+    </message>
+    <message>
+        <source>Draft. The path is being proved: {:.0f} %</source>
+        <translation>草稿。正在验证刀路：{:.0f} %</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Draw the path anew while values change</source>
+        <translation>数值更改时重新绘制刀路</translation>
+    </message>
+    <message>
+        <source>Engagement [°]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed [mm/min]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the colors of the cut show</source>
+        <translation>切削颜色的含义</translation>
+    </message>
+    <message>
+        <source>Play the cut</source>
+        <translation>播放切削</translation>
+    </message>
+    <message>
+        <source>How far the cut is shown</source>
+        <translation>切削显示进度</translation>
+    </message>
+    <message>
+        <source>Color by</source>
+        <translation>着色依据</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>下刀</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation>快移</translation>
+    </message>
+    <message>
+        <source>cleared</source>
+        <translation>已清除</translation>
+    </message>
+    <message>
+        <source>left over</source>
+        <translation>残留</translation>
+    </message>
+    <message>
+        <source>island</source>
+        <translation>岛屿</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Not known yet.</source>
+        <translation>尚未得知。</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>The operation has this path.</source>
+        <translation>工序已采用此刀路。</translation>
+    </message>
+    <message>
+        <source>OK or Apply makes this path.</source>
+        <translation>“确定”或“应用”生成此刀路。</translation>
+    </message>
+    <message>
+        <source>There is no path.</source>
+        <translation>没有刀路。</translation>
+    </message>
+    <message>
+        <source>Click to see the place</source>
+        <translation>点击查看位置</translation>
+    </message>
+    <message>
+        <source>FreeCAD's estimate</source>
+        <translation>FreeCAD 估算</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>过切</translation>
+    </message>
+    <message>
+        <source>Time on {}</source>
+        <translation>在 {} 上的用时</translation>
+    </message>
+    <message>
+        <source>{:.0f}°, limit {:.0f}°</source>
+        <translation>{:.0f}°，上限 {:.0f}°</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Apply computes the path.</source>
+        <translation>“应用”计算刀路。</translation>
+    </message>
+    <message>
+        <source>Time {}, cutting length {}</source>
+        <translation>用时 {}，切削长度 {}</translation>
+    </message>
+    <message>
+        <source>Largest engagement {:.0f}°, {:.0f}° on a straight cut</source>
+        <translation>最大啮合角 {:.0f}°，直线切削 {:.0f}°</translation>
+    </message>
+    <message>
+        <source>Uncut {}, gouge {}</source>
+        <translation>未切除 {}，过切 {}</translation>
+    </message>
+    <message>
+        <source>The same step-over as a length, for this cutter</source>
+        <translation>同一步距以长度表示，针对此刀具</translation>
+    </message>
+    <message>
+        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
+        <translation>此步距下直线切削的啮合角：半个刀径时为 90°，全槽时为 180°</translation>
+    </message>
+    <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>删除螺旋型腔</translation>
+    </message>
+    <message>
+        <source>An error in the add-on: the path was not computed.</source>
+        <translation>插件出错：刀路未计算。</translation>
+    </message>
+    <message>
+        <source>Please report it with the text in the Report view.</source>
+        <translation>请连同“报告视图”中的文本一起报告。</translation>
+    </message>
+    <message>
+        <source>Use as Default in This Job</source>
+        <translation>作为此作业的默认值</translation>
+    </message>
+    <message>
+        <source>Drag it into the job's operations.</source>
+        <translation>请将其拖入作业的工序中。</translation>
+    </message>
+    <message>
+        <source>{} is not in a job.</source>
+        <translation>{} 不在任何作业中。</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Linear Morph</source>
+        <translation>线性渐变</translation>
+    </message>
+    <message>
+        <source>Extended Archimedean</source>
+        <translation>扩展阿基米德</translation>
+    </message>
+    <message>
+        <source>Isotherm</source>
+        <translation>等温线</translation>
+    </message>
+    <message>
+        <source>Central Spiral</source>
+        <translation>中心螺线</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>顺铣</translation>
+    </message>
+    <message>
+        <source>Conventional</source>
+        <translation>逆铣</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>恒定</translation>
+    </message>
+    <message>
+        <source>Linear slow-down</source>
+        <translation>线性减速</translation>
+    </message>
+    <message>
+        <source>Chip thickness</source>
+        <translation>切屑厚度</translation>
+    </message>
+    <message>
+        <source>Benchtop mill</source>
+        <translation>台式铣床</translation>
+    </message>
+    <message>
+        <source>Hobby router</source>
+        <translation>业余雕刻机</translation>
+    </message>
+    <message>
+        <source>Huron with Siemens 840D</source>
+        <translation>Huron（西门子 840D）</translation>
+    </message>
+    <message>
+        <source>Mikron UCP710</source>
+        <translation>Mikron UCP710</translation>
+    </message>
+    <message>
+        <source>Vertical machining center</source>
+        <translation>立式加工中心</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocketMessages</name>
+    <message>
+        <source>the pocket</source>
+        <translation>型腔</translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation>快移</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>The cutter's diameter</source>
+        <translation>刀具直径</translation>
+    </message>
+    <message>
+        <source>The horizontal feed</source>
+        <translation>水平进给</translation>
+    </message>
+    <message>
+        <source>The vertical feed</source>
+        <translation>垂直进给</translation>
+    </message>
+    <message>
+        <source>The horizontal rapid rate</source>
+        <translation>水平快移速度</translation>
+    </message>
+    <message>
+        <source>The vertical rapid rate</source>
+        <translation>垂直快移速度</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>XY stock to leave</source>
+        <translation>XY 余量</translation>
+    </message>
+    <message>
+        <source>Z stock to leave</source>
+        <translation>Z 余量</translation>
+    </message>
+    <message>
+        <source>with {0} mm of stock to leave</source>
+        <translation>（余量 {0} mm）</translation>
+    </message>
+    <message>
+        <source>Pocket {0} of {1}: {2}</source>
+        <translation>型腔 {0}/{1}：{2}</translation>
+    </message>
+    <message>
+        <source>0.01 mm is usual.</source>
+        <translation>通常为 0.01 mm。</translation>
+    </message>
+    <message>
+        <source>A cutter below {0} mm reaches it.</source>
+        <translation>小于 {0} mm 的刀具可到达。</translation>
+    </message>
+    <message>
+        <source>A helix angle of {0} degrees cannot be cut.</source>
+        <translation>无法以 {0} 度的螺旋角切削。</translation>
+    </message>
+    <message>
+        <source>A largest engagement of {0} degrees cannot be cut.</source>
+        <translation>无法以 {0} 度的最大啮合角切削。</translation>
+    </message>
+    <message>
+        <source>A smaller StepDown makes them smaller; a finishing operation removes them.</source>
+        <translation>减小 StepDown 可使其变小；精加工工序可去除。</translation>
+    </message>
+    <message>
+        <source>A smaller step-over may clear it.</source>
+        <translation>较小的步距或可清除。</translation>
+    </message>
+    <message>
+        <source>A step down of {0} mm never reaches the floor.</source>
+        <translation>下刀步距 {0} mm 永远到不了底。</translation>
+    </message>
+    <message>
+        <source>A step-over of {0} mm is wider than the {1} mm cutter.</source>
+        <translation>步距 {0} mm 大于 {1} mm 的刀具。</translation>
+    </message>
+    <message>
+        <source>A step-over of {0} mm never clears the pocket.</source>
+        <translation>步距 {0} mm 永远无法清完型腔。</translation>
+    </message>
+    <message>
+        <source>A {0} move runs through standing stock at {at}, {1} mm in all.</source>
+        <translation>在 {at} 处{0}移动穿过残余材料，共 {1} mm。</translation>
+    </message>
+    <message>
+        <source>Add it; vmc.json shows how.</source>
+        <translation>请补上；参见 vmc.json。</translation>
+    </message>
+    <message>
+        <source>Add the part to the job's model.</source>
+        <translation>请将零件加入作业的模型。</translation>
+    </message>
+    <message>
+        <source>At Z{0} the pocket reaches under a wall.</source>
+        <translation>在 Z{0} 处型腔伸到侧壁下方。</translation>
+    </message>
+    <message>
+        <source>At {at} the cutter cuts {0} mm into the wall.</source>
+        <translation>在 {at} 处刀具切入侧壁 {0} mm。</translation>
+    </message>
+    <message>
+        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}.</source>
+        <translation>在 {at} 处啮合角达 {0} 度，步距 {1} % 允许 {2} 度。</translation>
+    </message>
+    <message>
+        <source>Central Spiral cannot go round islands; there is one at {at}.</source>
+        <translation>“中心螺线”不能绕过岛屿；{at} 处有一个。</translation>
+    </message>
+    <message>
+        <source>Central Spiral needs a pocket whose whole wall can be seen from one place in its middle; the one at {at} has walls behind corners.</source>
+        <translation>“中心螺线”要求从中部一点能看到整个侧壁；{at} 处的型腔有被拐角遮挡的侧壁。</translation>
+    </message>
+    <message>
+        <source>Check the outline for tiny steps, or choose a smaller cutter.</source>
+        <translation>请检查轮廓中的微小台阶，或选更小的刀具。</translation>
+    </message>
+    <message>
+        <source>Check the part's geometry in the Part workbench and repair the face.</source>
+        <translation>在 Part 工作台检查零件几何并修复该面。</translation>
+    </message>
+    <message>
+        <source>Check the part's geometry in the Part workbench.</source>
+        <translation>在 Part 工作台检查零件几何。</translation>
+    </message>
+    <message>
+        <source>Checking the pocket</source>
+        <translation>检查型腔</translation>
+    </message>
+    <message>
+        <source>Choose a tool controller with an end mill in it.</source>
+        <translation>请选择装有立铣刀的刀具控制器。</translation>
+    </message>
+    <message>
+        <source>Choose another strategy, for example Automatic.</source>
+        <translation>请选择其他策略，例如“自动”。</translation>
+    </message>
+    <message>
+        <source>Choose one of: {0}.</source>
+        <translation>可选：{0}。</translation>
+    </message>
+    <message>
+        <source>Choose one with an end mill in it.</source>
+        <translation>请选择装有立铣刀的。</translation>
+    </message>
+    <message>
+        <source>Choose the strategy Automatic or Isotherm for this pocket.</source>
+        <translation>此型腔请选用“自动”或“等温线”策略。</translation>
+    </message>
+    <message>
+        <source>Clear that side with another operation, or enlarge the floor in the model.</source>
+        <translation>请用其他工序清除该侧，或在模型中扩大底面。</translation>
+    </message>
+    <message>
+        <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
+        <translation>请先封闭（Part 工作台，检查几何并转换为实体）。</translation>
+    </message>
+    <message>
+        <source>Compare it with vmc.json.</source>
+        <translation>请与 vmc.json 对照。</translation>
+    </message>
+    <message>
+        <source>Do not run this path; check the final depth and the floor stock.</source>
+        <translation>不要运行此刀路；请检查最终深度和底面余量。</translation>
+    </message>
+    <message>
+        <source>Do not run this path; try another strategy or step-over.</source>
+        <translation>不要运行此刀路；请尝试其他策略或步距。</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Drag it into the job's operations.</source>
+        <translation>请将其拖入作业的工序中。</translation>
+    </message>
+    <message>
+        <source>Give it the number of an end mill, 1 or higher.</source>
+        <translation>请给它一个立铣刀的编号，1 或以上。</translation>
+    </message>
+    <message>
+        <source>Install it with FreeCAD's Addon Manager (it is a dependency of Spiral Pocket) or with pip into the Python that FreeCAD uses, then start FreeCAD again.</source>
+        <translation>请用 FreeCAD 插件管理器安装（它是 Spiral Pocket 的依赖），或用 pip 装入 FreeCAD 所用的 Python，然后重启 FreeCAD。</translation>
+    </message>
+    <message>
+        <source>Isotherm would need more than {0} laps.</source>
+        <translation>“等温线”将需要超过 {0} 圈。</translation>
+    </message>
+    <message>
+        <source>Laps of Linear Morph would cross themselves at {at}, where the wall turns away from the middle of the pocket.</source>
+        <translation>“线性渐变”的圈次会在 {at} 自交，侧壁在该处背离型腔中部。</translation>
+    </message>
+    <message>
+        <source>Laying the spiral</source>
+        <translation>生成螺线</translation>
+    </message>
+    <message>
+        <source>Linear Morph cannot go round islands; there is one at {at}.</source>
+        <translation>“线性渐变”不能绕过岛屿；{at} 处有一个。</translation>
+    </message>
+    <message>
+        <source>Linear Morph finds no middle to start from.</source>
+        <translation>“线性渐变”找不到起始中心。</translation>
+    </message>
+    <message>
+        <source>Lower FinishDepth or raise StepDown.</source>
+        <translation>减小 FinishDepth 或增大 StepDown。</translation>
+    </message>
+    <message>
+        <source>Lower StockToLeave.</source>
+        <translation>减小 StockToLeave。</translation>
+    </message>
+    <message>
+        <source>Lower ZStockToLeave.</source>
+        <translation>减小 ZStockToLeave。</translation>
+    </message>
+    <message>
+        <source>Lower the feed or the step-over if the cut is too heavy for the cutter.</source>
+        <translation>若切削对刀具过重，请降低进给或步距。</translation>
+    </message>
+    <message>
+        <source>Machine that part from another side, or with an undercutting tool.</source>
+        <translation>请从另一侧加工该部分，或用倒扣刀具。</translation>
+    </message>
+    <message>
+        <source>Mend or remove it.</source>
+        <translation>请修正或删除。</translation>
+    </message>
+    <message>
+        <source>More than {0} laps are left beside the spirals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No face is selected.</source>
+        <translation>未选择面。</translation>
+    </message>
+    <message>
+        <source>Planning feeds</source>
+        <translation>规划进给</translation>
+    </message>
+    <message>
+        <source>Proving the path</source>
+        <translation>验证刀路</translation>
+    </message>
+    <message>
+        <source>Put an end mill into the tool controller.</source>
+        <translation>请在刀具控制器中放入立铣刀。</translation>
+    </message>
+    <message>
+        <source>Recompute the operation to try again.</source>
+        <translation>重新计算工序以重试。</translation>
+    </message>
+    <message>
+        <source>Remove it from the base geometry and select the floor of the pocket again.</source>
+        <translation>请从基础几何中移除它，并重新选择型腔底面。</translation>
+    </message>
+    <message>
+        <source>Repair the part (Part workbench, Check Geometry).</source>
+        <translation>请修复零件（Part 工作台，检查几何）。</translation>
+    </message>
+    <message>
+        <source>Select the floor face of the pocket.</source>
+        <translation>请选择型腔底面。</translation>
+    </message>
+    <message>
+        <source>Select the floor of the pocket, a flat level face with walls around it.</source>
+        <translation>请选择型腔底面：四周有侧壁的水平平面。</translation>
+    </message>
+    <message>
+        <source>Select the floor of the pocket, or turn the part over.</source>
+        <translation>请选择型腔底面，或翻转零件。</translation>
+    </message>
+    <message>
+        <source>Set ClearanceHeight above SafeHeight above StartDepth.</source>
+        <translation>使 ClearanceHeight 高于 SafeHeight，SafeHeight 高于 StartDepth。</translation>
+    </message>
+    <message>
+        <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
+        <translation>将 HelixAngle 设在 1 到 30 度之间；通常为 5。</translation>
+    </message>
+    <message>
+        <source>Set HelixDiameterLimit to 0 for no limit.</source>
+        <translation>将 HelixDiameterLimit 设为 0 表示不限制。</translation>
+    </message>
+    <message>
+        <source>Set LinkFeed to 0 for the horizontal rapid rate.</source>
+        <translation>将 LinkFeed 设为 0 表示水平快移速度。</translation>
+    </message>
+    <message>
+        <source>Set MaxEngagement up to {0} degrees, or to 0 for StepOver's.</source>
+        <translation>将 MaxEngagement 设为不超过 {0} 度，或设 0 采用 StepOver。</translation>
+    </message>
+    <message>
+        <source>Set MaxFeedRatio to 1 or more; 2 is usual.</source>
+        <translation>将 MaxFeedRatio 设为 1 或以上；通常为 2。</translation>
+    </message>
+    <message>
+        <source>Set SlowdownPercent between 1 and 100; 75 is usual.</source>
+        <translation>将 SlowdownPercent 设在 1 到 100 之间；通常为 75。</translation>
+    </message>
+    <message>
+        <source>Set StartDepth above FinalDepth.</source>
+        <translation>将 StartDepth 设在 FinalDepth 之上。</translation>
+    </message>
+    <message>
+        <source>Set StartPoint inside one, or do without.</source>
+        <translation>将 StartPoint 设在某个型腔内，或不使用起点。</translation>
+    </message>
+    <message>
+        <source>Set StartPoint, or do without.</source>
+        <translation>设置 StartPoint，或不使用起点。</translation>
+    </message>
+    <message>
+        <source>Set StepDown above 0.</source>
+        <translation>将 StepDown 设为大于 0。</translation>
+    </message>
+    <message>
+        <source>Set StepOver above 0; 20 to 45 % of the cutter's diameter is usual.</source>
+        <translation>将 StepOver 设为大于 0；通常为刀具直径的 20 至 45 %。</translation>
+    </message>
+    <message>
+        <source>Set StepOver to 100 % or less.</source>
+        <translation>将 StepOver 设为 100 % 或以下。</translation>
+    </message>
+    <message>
+        <source>Set it in the tool of the tool controller.</source>
+        <translation>请在刀具控制器的刀具中设置。</translation>
+    </message>
+    <message>
+        <source>Set it to 0 for none.</source>
+        <translation>设为 0 表示无。</translation>
+    </message>
+    <message>
+        <source>Set the feeds in the tool controller.</source>
+        <translation>请在刀具控制器中设置进给。</translation>
+    </message>
+    <message>
+        <source>Set the horizontal and vertical feed in the tool controller.</source>
+        <translation>请在刀具控制器中设置水平和垂直进给。</translation>
+    </message>
+    <message>
+        <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
+        <translation>Spiral Pocket 需要 shapely 2，当前 FreeCAD 为 {0}。</translation>
+    </message>
+    <message>
+        <source>Spiral Pocket needs the Python library {0}, which this FreeCAD lacks.</source>
+        <translation>Spiral Pocket 需要 Python 库 {0}，当前 FreeCAD 缺少它。</translation>
+    </message>
+    <message>
+        <source>Stopped by the user.</source>
+        <translation>已被用户停止。</translation>
+    </message>
+    <message>
+        <source>Take a cutter below {0} mm, or raise HelixDiameterLimit if it is set.</source>
+        <translation>换用小于 {0} mm 的刀具，或增大已设的 HelixDiameterLimit。</translation>
+    </message>
+    <message>
+        <source>Take a cutter below {0} mm.</source>
+        <translation>请用小于 {0} mm 的刀具。</translation>
+    </message>
+    <message>
+        <source>Take a larger step-over or the strategy Automatic.</source>
+        <translation>请用更大的步距或“自动”策略。</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter or the strategy Automatic.</source>
+        <translation>请用更小的刀具或“自动”策略。</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter.</source>
+        <translation>请用更小的刀具。</translation>
+    </message>
+    <message>
+        <source>Take a wider cutter or a larger step-over.</source>
+        <translation>请用更大的刀具或步距。</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the floor.</source>
+        <translation>刀具低于底面 {0} mm。</translation>
+    </message>
+    <message>
+        <source>The cutter has no room to go down anywhere in the pocket.</source>
+        <translation>刀具在型腔内无处下刀。</translation>
+    </message>
+    <message>
+        <source>The depths are upside down: the pocket's floor (final depth {0} mm) is not below its top (start depth {1} mm).</source>
+        <translation>深度颠倒：型腔底（最终深度 {0} mm）不低于顶（起始深度 {1} mm）。</translation>
+    </message>
+    <message>
+        <source>The expression of {0} cannot be evaluated: {1}.</source>
+        <translation>{0} 的表达式无法求值：{1}。</translation>
+    </message>
+    <message>
+        <source>The finish depth of {0} mm is not between 0 and the step down of {1} mm.</source>
+        <translation>精加工深度 {0} mm 不在 0 与下刀步距 {1} mm 之间。</translation>
+    </message>
+    <message>
+        <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
+        <translation>高度颠倒：间隙高度 {0} mm，安全高度 {1} mm，起始深度 {2} mm。</translation>
+    </message>
+    <message>
+        <source>The helix's diameter limit is negative.</source>
+        <translation>螺旋直径上限为负。</translation>
+    </message>
+    <message>
+        <source>The largest feed ratio of {0} is below 1.</source>
+        <translation>最大进给倍率 {0} 小于 1。</translation>
+    </message>
+    <message>
+        <source>The level from Z{0} to Z{1} is not between 0 and the step down of {2} mm deep.</source>
+        <translation>从 Z{0} 到 Z{1} 的层深不在 0 与下刀步距 {2} mm 之间。</translation>
+    </message>
+    <message>
+        <source>The link feed is negative.</source>
+        <translation>连接进给为负。</translation>
+    </message>
+    <message>
+        <source>The lowest level, at Z{0}, is not the pocket's floor.</source>
+        <translation>最低层 Z{0} 不是型腔底面。</translation>
+    </message>
+    <message>
+        <source>The machine file {0} cannot be read: {1}.</source>
+        <translation>无法读取机床文件 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>The machine file {0} is broken: {1}.</source>
+        <translation>机床文件 {0} 损坏：{1}。</translation>
+    </message>
+    <message>
+        <source>The machine file {0} lacks {1}.</source>
+        <translation>机床文件 {0} 缺少 {1}。</translation>
+    </message>
+    <message>
+        <source>The outline of {0} crosses itself.</source>
+        <translation>{0} 的轮廓自交。</translation>
+    </message>
+    <message>
+        <source>The outline of {0} is not closed at X{1} Y{2}.</source>
+        <translation>{0} 的轮廓在 X{1} Y{2} 处未闭合。</translation>
+    </message>
+    <message>
+        <source>The part overhangs the whole floor; no cutter gets there from above.</source>
+        <translation>零件遮住整个底面；刀具无法从上方到达。</translation>
+    </message>
+    <message>
+        <source>The part with {0} is an open shell, not a closed solid.</source>
+        <translation>含 {0} 的零件是开放壳体，不是封闭实体。</translation>
+    </message>
+    <message>
+        <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
+        <translation>刀路已生成，但会切入侧壁 {0} mm；不予输出。</translation>
+    </message>
+    <message>
+        <source>The pocket has no area.</source>
+        <translation>型腔没有面积。</translation>
+    </message>
+    <message>
+        <source>The pocket is more than {0} step-overs wide.</source>
+        <translation>型腔宽度超过 {0} 个步距。</translation>
+    </message>
+    <message>
+        <source>The pocket is open at a side; the cutter stays within the floor there.</source>
+        <translation>型腔一侧敞开；刀具在该处不超出底面。</translation>
+    </message>
+    <message>
+        <source>The pocket is too narrow at {at} for Isotherm: no isotherm leads through.</source>
+        <translation>型腔在 {at} 处对“等温线”过窄：没有等温线通过。</translation>
+    </message>
+    <message>
+        <source>The pocket's outline has points at infinity.</source>
+        <translation>型腔轮廓含无穷远点。</translation>
+    </message>
+    <message>
+        <source>The pocket's outline is broken ({0}).</source>
+        <translation>型腔轮廓损坏（{0}）。</translation>
+    </message>
+    <message>
+        <source>The pocket's wall near {at} is too jagged or too narrow for Linear Morph.</source>
+        <translation>{at} 附近的型腔侧壁对“线性渐变”过于参差或过窄。</translation>
+    </message>
+    <message>
+        <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
+        <translation>减速进给 {0} % 不在 0 到 100 % 之间。</translation>
+    </message>
+    <message>
+        <source>The start point at {at} lies in none of the pockets.</source>
+        <translation>起点 {at} 不在任何型腔内。</translation>
+    </message>
+    <message>
+        <source>The start point is not a place.</source>
+        <translation>起点不是有效位置。</translation>
+    </message>
+    <message>
+        <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
+        <translation>{at} 附近的型腔侧壁过于参差，不适用“中心螺线”。</translation>
+    </message>
+    <message>
+        <source>The {0} is not a number.</source>
+        <translation>{0} 不是数字。</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit the pocket{1}: it is {2} mm wide at its widest, at {at}.</source>
+        <translation>{0} mm 刀具放不进型腔{1}：最宽处在 {at}，仅 {2} mm。</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
+        <translation>{0} mm 刀具通不过 {at} 处 {1} mm 的窄颈；该部分（{2} mm2）未切除。</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
+        <translation>{0} mm 刀具可进入型腔，但在 {at} 处没有螺旋下刀空间（圆 {1} mm）。</translation>
+    </message>
+    <message>
+        <source>There is no machine '{0}'.</source>
+        <translation>没有机床 '{0}'。</translation>
+    </message>
+    <message>
+        <source>Try another step-over or strategy, and please report this pocket.</source>
+        <translation>请尝试其他步距或策略，并报告此型腔。</translation>
+    </message>
+    <message>
+        <source>Turn the part over, or machine it from another side.</source>
+        <translation>请翻转零件，或从另一侧加工。</translation>
+    </message>
+    <message>
+        <source>Use a flat end mill, or finish the floor with one.</source>
+        <translation>请用平底立铣刀，或用其精加工底面。</translation>
+    </message>
+    <message>
+        <source>Walls lean over the floor; {0} mm2 of it below them stay uncut.</source>
+        <translation>侧壁向底面倾斜；其下方 {0} mm2 未切除。</translation>
+    </message>
+    <message>
+        <source>Walls that are not vertical keep steps up to {0} mm wide and {1} mm high, the widest at {at}.</source>
+        <translation>非垂直侧壁留有最宽 {0} mm、最高 {1} mm 的台阶，最宽处在 {at}。</translation>
+    </message>
+    <message>
+        <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
+        <translation>底面余量 {0} mm，已无可切材料。</translation>
+    </message>
+    <message>
+        <source>{0} That part stays uncut.</source>
+        <translation>{0} 该部分未切除。</translation>
+    </message>
+    <message>
+        <source>{0} This pocket is not cut.</source>
+        <translation>{0} 此型腔不切削。</translation>
+    </message>
+    <message>
+        <source>{0} has no feeds; the path carries none and its time is unknown.</source>
+        <translation>{0} 没有进给；刀路不含进给，用时未知。</translation>
+    </message>
+    <message>
+        <source>{0} has no model.</source>
+        <translation>{0} 没有模型。</translation>
+    </message>
+    <message>
+        <source>{0} has no tool controller.</source>
+        <translation>{0} 没有刀具控制器。</translation>
+    </message>
+    <message>
+        <source>{0} has no tool, or one without a diameter.</source>
+        <translation>{0} 没有刀具，或刀具没有直径。</translation>
+    </message>
+    <message>
+        <source>{0} has tool number 0, which stands for no tool.</source>
+        <translation>{0} 的刀具号为 0，表示无刀具。</translation>
+    </message>
+    <message>
+        <source>{0} is not a face.</source>
+        <translation>{0} 不是面。</translation>
+    </message>
+    <message>
+        <source>{0} is not an end mill; it cannot clear a pocket.</source>
+        <translation>{0} 不是立铣刀，不能清除型腔。</translation>
+    </message>
+    <message>
+        <source>{0} is not flat at its end and leaves ridges on the floor.</source>
+        <translation>{0} 端部不平，会在底面留下残脊。</translation>
+    </message>
+    <message>
+        <source>{0} is not flat.</source>
+        <translation>{0} 不是平面。</translation>
+    </message>
+    <message>
+        <source>{0} is not in a job.</source>
+        <translation>{0} 不在任何作业中。</translation>
+    </message>
+    <message>
+        <source>{0} is not level.</source>
+        <translation>{0} 不水平。</translation>
+    </message>
+    <message>
+        <source>{0} is not the floor of a pocket: no wall rises from it.</source>
+        <translation>{0} 不是型腔底面：没有侧壁从其升起。</translation>
+    </message>
+    <message>
+        <source>{0} is not there any more: the model has changed.</source>
+        <translation>{0} 已不存在：模型已更改。</translation>
+    </message>
+    <message>
+        <source>{0} is vertical: it is a wall, not a floor.</source>
+        <translation>{0} 是垂直的：是侧壁而非底面。</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; it must be more than 0.</source>
+        <translation>{0} 为 {1}；必须大于 0。</translation>
+    </message>
+    <message>
+        <source>{0} looks down.</source>
+        <translation>{0} 朝下。</translation>
+    </message>
+    <message>
+        <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>
+        <translation>底面有 {0} mm2 未切除，最大一块在 {at}。</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocketPanel</name>
+    <message>
+        <source>Tool controller</source>
+        <translation>刀具控制器</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>冷却液</translation>
+    </message>
+    <message>
+        <source>Edit Tool Controller</source>
+        <translation>编辑刀具控制器</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Step over percent</source>
+        <translation>步距百分比</translation>
+    </message>
+    <message>
+        <source>Step over</source>
+        <translation>步距</translation>
+    </message>
+    <message>
+        <source>Engagement angle</source>
+        <translation>啮合角</translation>
+    </message>
+    <message>
+        <source>Cut mode</source>
+        <translation>铣削方式</translation>
+    </message>
+    <message>
+        <source>XY stock to leave</source>
+        <translation>XY 余量</translation>
+    </message>
+    <message>
+        <source>Z stock to leave</source>
+        <translation>Z 余量</translation>
+    </message>
+    <message>
+        <source>Helix ramp angle</source>
+        <translation>螺旋下刀角度</translation>
+    </message>
+    <message>
+        <source>Helix max diameter</source>
+        <translation>螺旋最大直径</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机床</translation>
+    </message>
+    <message>
+        <source>Feed mode</source>
+        <translation>进给方式</translation>
+    </message>
+    <message>
+        <source>Slow-down percent</source>
+        <translation>减速百分比</translation>
+    </message>
+    <message>
+        <source>Max feed ratio</source>
+        <translation>最大进给倍率</translation>
+    </message>
+    <message>
+        <source>Finishing profile</source>
+        <translation>精加工轮廓</translation>
+    </message>
+    <message>
+        <source>Ignore islands</source>
+        <translation>忽略岛屿</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>高级</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>Link feed</source>
+        <translation>连接进给</translation>
+    </message>
+    <message>
+        <source>Slot bite</source>
+        <translation>开槽切深</translation>
+    </message>
+    <message>
+        <source>Use start point</source>
+        <translation>使用起点</translation>
+    </message>
+    <message>
+        <source>Start point X</source>
+        <translation>起点 X</translation>
+    </message>
+    <message>
+        <source>Start point Y</source>
+        <translation>起点 Y</translation>
+    </message>
+    <message>
+        <source>Take the place that was clicked on the part</source>
+        <translation>采用在零件上点击的位置</translation>
+    </message>
+    <message>
+        <source>From selection</source>
+        <translation>取自选择</translation>
+    </message>
+    <message>
+        <source>What was measured on the path of the last Apply or OK</source>
+        <translation>上次“应用”或“确定”后在刀路上测得的结果</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocketPreferences</name>
+    <message>
+        <source>Spiral Pocket</source>
+        <translation>螺旋型腔</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机床</translation>
+    </message>
+    <message>
+        <source>Folder with own machines</source>
+        <translation>自有机床文件夹</translation>
+    </message>
+    <message>
+        <source>Machine files (JSON) in this folder are offered besides those of the add-on; after the next start</source>
+        <translation>除插件自带的机床外，还提供此文件夹中的机床文件 (JSON)；下次启动后生效</translation>
+    </message>
+    <message>
+        <source>Defaults of new operations</source>
+        <translation>新建工序的默认值</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Step over percent</source>
+        <translation>步距百分比</translation>
+    </message>
+    <message>
+        <source>Cut mode</source>
+        <translation>铣削方式</translation>
+    </message>
+    <message>
+        <source>Helix ramp angle</source>
+        <translation>螺旋下刀角度</translation>
+    </message>
+    <message>
+        <source>Feed mode</source>
+        <translation>进给方式</translation>
+    </message>
+    <message>
+        <source>Slow-down percent</source>
+        <translation>减速百分比</translation>
+    </message>
+    <message>
+        <source>Max feed ratio</source>
+        <translation>最大进给倍率</translation>
+    </message>
+    <message>
+        <source>Link feed</source>
+        <translation>连接进给</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>公差</translation>
+    </message>
+</context>
+<context>
+    <name>SpiralPocket_Create</name>
+    <message>
+        <source>Spiral Pocket</source>
+        <translation>螺旋型腔</translation>
+    </message>
+    <message>
+        <source>Clears the pockets above the selected floors with one smooth spiral each</source>
+        <translation>以光顺螺线清除所选底面上方的型腔</translation>
+    </message>
+</context>
+</TS>

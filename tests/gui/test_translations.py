@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The window speaks the user's language, also in what the engine says."""
+
+import xml.etree.ElementTree as ElementTree
+
+import FreeCADGui
+import pytest
+from PySide import QtCore
+from window import CANCEL, action, press, press_toolbar_button, pump, select, toolbar, widget
+
+from freecad_spiralpocket.gui import localized as module
+from freecad_spiralpocket.gui.localized import localized
+from freecad_spiralpocket.gui.startup import RESOURCES
+
+FOLDER = RESOURCES / "translations"
+LANGUAGES = sorted(file.stem.partition("_")[2] for file in FOLDER.glob("*.ts"))
+
+
+@pytest.fixture
+def marked(monkeypatch):
+    """Let a translation be the text in angular quotes, to see what was recognized."""
+    monkeypatch.setattr(module, "translate", lambda context, text: f"«{text}»")
+
+
+@pytest.fixture
+def german():
+    """Let FreeCAD speak German."""
+    FreeCADGui.setLocale("German")
+    pump(0.3)
+    yield
+    FreeCADGui.setLocale("English")
+    pump(0.3)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_compiled_files_hold_what_the_sources_say(language):
+    name = f"SpiralPocket_{language}"
+    translator = QtCore.QTranslator()
+    assert translator.load(f"{name}.qm", str(FOLDER))
+    for context in ElementTree.parse(FOLDER / f"{name}.ts").getroot().iter("context"):
+        for message in context.iter("message"):
+            text, source = message.findtext("translation"), message.findtext("source")
+            if text:
+                assert translator.translate(context.findtext("name"), source) == text
+
+
+def test_four_languages():
+    assert LANGUAGES == ["de", "es-ES", "fr", "zh-CN"]
+
+
+def test_panel_and_command_speak_german(job, floor, german):
+    select(floor)
+    press_toolbar_button()
+    assert widget("strategyLabel").text() == "Strategie"
+    assert widget("strategy").currentText() == "Automatisch"
+    assert widget("strategy").currentData() == "Automatic"
+    assert "Inseln" in widget("strategyNote").text()
+    assert "Umläufe" in widget("strategy").toolTip()
+    assert action(toolbar()).text() == "Spiraltasche"
+    press(CANCEL)
+
+
+def test_the_engine_speaks_german_in_the_window(german):
+    said = (
+        "Part, Face7: The 6 mm cutter does not fit the 5.8 mm neck at X12.0 Y-40.5; that part "
+        "(12 mm2) stays uncut. A cutter below 5.8 mm reaches it."
+    )
+    assert localized(said) == (
+        "Part, Face7: Der 6-mm-Fräser passt nicht durch die Engstelle von 5.8 mm bei "
+        "X12.0 Y-40.5; dieser Teil (12 mm2) bleibt stehen. Ein Fräser unter 5.8 mm kommt hin."
+    )
+
+
+@pytest.mark.parametrize("template", [t for t, _ in module._patterns()])
+def test_every_sentence_is_recognized_with_its_figures(marked, template):
+    figures = iter(["12.5", "7", "0.25"])
+    sentence = module._PLACE.sub(
+        lambda place: "X1.0 Y-2.0" if place[1] == "at" else next(figures), template
+    )
+    expected = f"«{sentence}»"
+    assert localized(sentence) == expected
+    about = localized(f"Part, Face3: {sentence}")
+    assert about in (f"Part, Face3: {expected}", f"«Part, Face3: {sentence}»")
+
+
+def test_what_is_not_recognized_stays(marked):
+    text = "Nobody says this. Not: this."
+    assert localized(text) == text
+
+
+def test_sentences_one_after_the_other_are_all_recognized(marked):
+    said = "The link feed is negative. Set LinkFeed to 0 for the horizontal rapid rate."
+    first, second = "The link feed is negative.", said[len("The link feed is negative. ") :]
+    assert localized(said) == f"«{first}» «{second}»"
+    assert localized(f"{first} Unknown words.") == f"«{first}» Unknown words."
