@@ -65,7 +65,7 @@ def uncut_floor(
         return _polygons(wanted)
     arcs = deep.select(deep.is_arc)
     chains = _chains(deep.select(~deep.is_arc))
-    rough = _roughly_swept(np.concatenate([chains, polylines(arcs)]), radius)
+    rough = _roughly_swept(deep, radius)
     doubtful = shapely.get_parts(wanted.difference(rough))
     lines = _segments(chains)
     lines = lines[_near(doubtful, lines, radius)]
@@ -100,9 +100,12 @@ def _segments(chains: NDArray[np.object_]) -> NDArray[np.object_]:
     return shapely.linestrings(np.stack([points[:-1][same], points[1:][same]], axis=1))
 
 
-def _roughly_swept(lines: NDArray[np.object_], radius: float) -> shapely.Geometry:
+def _roughly_swept(pieces: Pieces, radius: float) -> shapely.Geometry:
     """Return a simple region that is certainly swept, nearly all of it."""
-    rough = shapely.simplify(lines, ROUGH_MOTION * radius, preserve_topology=False)
+    # arcs end where the next piece begins, but for rounding
+    lines = shapely.transform(polylines(pieces), lambda points: points.round(6))
+    chains = shapely.get_parts(shapely.line_merge(shapely.multilinestrings(lines)))
+    rough = shapely.simplify(chains, ROUGH_MOTION * radius, preserve_topology=False)
     return shapely.multilinestrings(rough).buffer(ROUGH_RADIUS * radius, quad_segs=8)
 
 

@@ -21,7 +21,8 @@ import shapely
 from shapely import LineString, Point, Polygon
 
 from .errors import CutterDoesNotFitError
-from .floor import Helix, Slot
+from .floor import Groove, Helix, Slot
+from .groove import groove_path
 from .model import Entry, Feeds, Floats
 from .toolpath import Role, ToolpathBuilder
 
@@ -71,10 +72,12 @@ def ramp_feed(feeds: Feeds, angle: float) -> float:
     return min(feeds.horizontal, feeds.vertical / math.sin(angle))
 
 
-def entry_start(entry: Helix | Slot, angle: float, top: float, bottom: float) -> Floats:
+def entry_start(entry: Helix | Slot | Groove, angle: float, top: float, bottom: float) -> Floats:
     """Return above which place the entry from `top` to `bottom` begins, (x, y) [mm]."""
     if isinstance(entry, Helix):
         return _on_circle(entry, entry.start_angle - _helix_sweep(entry, angle, top, bottom))
+    if isinstance(entry, Groove):
+        return groove_path(entry, angle, top, bottom)[0, :2]
     levels = _slot_levels(entry, top, bottom)
     ramp = (top - bottom) / levels / math.tan(angle)
     ring = _closed(entry.ring)
@@ -83,7 +86,7 @@ def entry_start(entry: Helix | Slot, angle: float, top: float, bottom: float) ->
 
 def cut_entry(
     builder: ToolpathBuilder,
-    entry: Helix | Slot,
+    entry: Helix | Slot | Groove,
     angle: float,
     top: float,
     bottom: float,
@@ -92,6 +95,8 @@ def cut_entry(
     """Add the way down from the stock's `top` to `bottom`, beginning above `entry_start`."""
     if isinstance(entry, Helix):
         _cut_helix(builder, entry, angle, top, bottom, feeds)
+    elif isinstance(entry, Groove):
+        _cut_points(builder, groove_path(entry, angle, top, bottom), angle, feeds)
     else:
         _cut_slot(builder, entry, angle, top, bottom, feeds)
 
@@ -162,9 +167,16 @@ def _cut_slot(
         np.repeat(top - bite * np.arange(levels + 1), 2)[1:-1],
     )
     points = shapely.get_coordinates(shapely.line_interpolate_point(ring, s % ring.length))
-    x, y = entry_start(slot, angle, top, bottom)
-    builder.line((x, y, top), feeds.vertical, Role.ENTRY)
+    start = (*entry_start(slot, angle, top, bottom), top)
+    path = np.vstack([start, np.column_stack([points, heights])])
+    _cut_points(builder, path, angle, feeds)
+
+
+def _cut_points(builder: ToolpathBuilder, path: Floats, angle: float, feeds: Feeds) -> None:
+    """Go down onto the first point of a path and along it."""
+    x, y, z = path[0].tolist()
+    builder.line((x, y, z), feeds.vertical, Role.ENTRY)
     steep = ramp_feed(feeds, angle)
-    sinking = np.diff(heights, prepend=top) < -1e-9
-    for (px, py), z, sinks in zip(points, heights, sinking, strict=True):
-        builder.line((px, py, z), steep if sinks else feeds.horizontal, Role.ENTRY)
+    sinking = np.diff(path[:, 2]) < -1e-9
+    for (x, y, z), sinks in zip(path[1:].tolist(), sinking.tolist(), strict=True):
+        builder.line((x, y, z), steep if sinks else feeds.horizontal, Role.ENTRY)

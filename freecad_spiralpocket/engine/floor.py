@@ -49,6 +49,30 @@ class Slot:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Groove:
+    """An entry forth and back about a line or a tree of lines, one flat level each way.
+
+    Attributes
+    ----------
+    ring : ndarray of shape (n, 2)
+        Slim, counter-clockwise; begins at the tip where the entry ends, the first point is not
+        repeated [mm].
+    tips : tuple of float
+        Where along the ring the other tips are, in order [mm].
+    feet : tuple of float
+        Between each of them and the next: where the way from one to the other is nearest to the
+        first point, along the tree [mm]. One fewer.
+    bite : float
+        Largest axial depth of one level [mm].
+    """
+
+    ring: Floats
+    tips: tuple[float, ...]
+    feet: tuple[float, ...]
+    bite: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Pass:
     """One uninterrupted motion at the floor.
 
@@ -70,14 +94,14 @@ class FloorPath:
 
     Attributes
     ----------
-    entry : Helix or Slot
-    passes : tuple of Pass, Helix or Slot
+    entry : Helix, Slot or Groove
+    passes : tuple of Pass, Helix, Slot or Groove
         In order, the first from the end of the entry. An entry among them: lift, go over, and
         down into solid stock there.
     curve : SplineCurve or None
         The exact curve behind the spiral, where the strategy has one.
     """
 
-    entry: Helix | Slot
-    passes: tuple[Pass | Helix | Slot, ...]
+    entry: Helix | Slot | Groove
+    passes: tuple[Pass | Helix | Slot | Groove, ...]
     curve: SplineCurve | None = None

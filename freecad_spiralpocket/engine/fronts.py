@@ -19,12 +19,13 @@ a curve, with the step measured by engagement instead of distance.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 from shapely import MultiPolygon, Polygon
 
@@ -91,14 +92,21 @@ def buffer(shape: Region, distance: float) -> Region:
     return shapely.buffer(shape, distance, quad_segs=max(4, int(np.ceil(np.pi / 2 / step))))
 
 
-def smooth(shape: Region, closing: float, fillet: float, omega: Polygon) -> Region:
-    """Return `shape` within `omega`, reentrant kinks closed, met walls filleted."""
-    if closing > 0:
-        shape = buffer(buffer(shape, closing), -closing)
-    shape = shapely.intersection(shape, omega)
-    if fillet > 0:
-        shape = buffer(buffer(shape, -fillet), fillet)
-    return shape
+def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
+    """Open a region where it meets the walls of `omega`; its free tips stay."""
+    opened = buffer(buffer(shape, -fillet), fillet)
+    shapely.prepare(opened)
+    points = shapely.points(shapely.get_coordinates(shape))
+    points = points[~shapely.dwithin(opened, points, TIP_HEIGHT * fillet)]
+    if len(points) == 0 or shapely.dwithin(omega.boundary, points, 0.4 * fillet).all():
+        return opened
+    taken = shapely.get_parts(shapely.difference(shape, opened))
+    taken = taken[shapely.area(taken) > SLIVER]
+    if len(taken):
+        free = taken[~shapely.dwithin(omega.boundary, taken, 0.02)]
+        if len(free):
+            return shapely.union_all([opened, *free])
+    return opened
 
 
 def ring_samples(ring: shapely.LinearRing, spacing: float) -> Floats:
@@ -107,9 +115,13 @@ def ring_samples(ring: shapely.LinearRing, spacing: float) -> Floats:
     return points_at(ring, np.arange(count) * ring.length / count)
 
 
-def _stepped_ring(ring: shapely.LinearRing, omega: Polygon, rules: FrontRules) -> Floats:
-    """Return a ring moved outwards by the step; parts on the wall stay."""
-    spacing = 0.1 * rules.cutter_radius * 2
+def _stepped_ring(
+    ring: shapely.LinearRing, omega: Polygon, rules: FrontRules
+) -> tuple[Floats, float]:
+    """Return a ring moved outwards by the step, and the least of it; parts on the wall stay."""
+    # a slim region's tips are tighter than the cutter
+    slim = 2 * shapely.area(Polygon(ring)) / ring.length
+    spacing = SPACING * min(rules.cutter_radius, max(slim, 0.05 * rules.cutter_radius))
     points = ring_samples(ring, spacing)
     soft = gaussian_filter1d(points, 2.0, axis=0, mode="wrap")
     tangent = (np.roll(soft, -1, axis=0) - np.roll(soft, 1, axis=0)) / 2
@@ -123,7 +135,7 @@ def _stepped_ring(ring: shapely.LinearRing, omega: Polygon, rules: FrontRules) -
     curvature = gaussian_filter1d(curvature, EVEN * rules.cutter_radius / spacing, mode="wrap")
     step = np.where(on_wall, 0.0, engagement_step(curvature, rules))
     normal = np.column_stack([tangent[:, 1], -tangent[:, 0]]) / speed[:, None]
-    return points + step[:, None] * normal
+    return points + step[:, None] * normal, float(step[~on_wall].min(initial=rules.stepover))
 
 
 def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
@@ -137,26 +149,22 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         The cutter-center region; contains `visited`.
     """
     visited = _without_idle_holes(visited, omega, rules)
-    shell = _stepped_ring(visited.exterior, omega, rules)
+    shell, least = _stepped_ring(visited.exterior, omega, rules)
     holes = []
     for ring in visited.interiors:
-        hole = _stepped_ring(ring, omega, rules)
+        hole, least_here = _stepped_ring(ring, omega, rules)
+        least = min(least, least_here)
         x, y = hole[:, 0], hole[:, 1]
         if (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() < 0:  # not turned inside out
             holes.append(hole)
     moved = Polygon(shell, holes)
     if not moved.is_valid:
         # where the moved ring crosses itself it leaves loops, which an opening removes
-        least = float(engagement_step(np.array([1 / rules.fillet]), rules)[0])
         loop = 0.25 * rules.cutter_radius
         moved = buffer(buffer(shapely.make_valid(moved), -loop), loop)
         moved = shapely.union(moved, buffer(visited, least))
-    for share in (1.0, 0.6, 0.35):
-        grown = smooth(moved, share * rules.closing, rules.fillet, omega)
-        if _is_reached(grown, visited, rules):
-            break
-    else:
-        grown = shapely.intersection(grown, buffer(visited, REACHED * rules.cutter_radius))
+    closed = _closed(moved, visited, rules, CLOSINGS)
+    grown = _filleted(shapely.intersection(closed, omega), rules.fillet, omega)
     return shapely.simplify(largest(shapely.union(grown, visited)), 0.002)
 
 
@@ -170,17 +178,57 @@ def _without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> 
     return visited if len(kept) == len(visited.interiors) else Polygon(visited.exterior, kept)
 
 
-def _is_reached(moved: Region, visited: Polygon, rules: FrontRules) -> bool:
-    """Return whether the cutter, going round `visited`, cleared all that `moved` takes for cleared.
+def _closed(moved: Region, visited: Polygon, rules: FrontRules, shares: Sequence[float]) -> Region:
+    """Round reentrant kinks of a moved front, each as widely as the cutter reached over.
 
-    The closing fills gaps; one wider than the cutter reaches over would stay standing.
+    Going round `visited` it clears what is within its radius; a fill that goes farther would be
+    taken for cleared and stay standing. There the next smaller of the radii in `shares` is taken.
     """
-    parts = [moved] if isinstance(moved, Polygon) else moved.geoms
-    if sum(len(p.interiors) for p in parts) < len(visited.interiors):
+    if not shares:
+        return moved
+    radius = shares[0] * rules.closing
+    closed = buffer(buffer(moved, radius), -radius)
+    if _is_reached(closed, moved, visited, rules):
+        return closed
+    fills = shapely.get_parts(shapely.difference(closed, moved))
+    fills = fills[shapely.area(fills) > SLIVER]
+    far = fills[_are_beyond(fills, visited, rules)]
+    if len(far) == 0:
+        return closed
+    pieces = [shapely.difference(closed, shapely.union_all(far))]
+    for piece in far:
+        zone = buffer(piece, 0.01)
+        x0, y0, x1, y1 = zone.bounds
+        near = shapely.clip_by_rect(moved, x0 - radius, y0 - radius, x1 + radius, y1 + radius)
+        finer = _closed(near, visited, rules, shares[1:])
+        pieces.append(shapely.intersection(finer, zone))
+    return shapely.union_all(pieces)
+
+
+def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRules) -> bool:
+    """Return whether surely all that was filled is within reach of `visited`; quick."""
+    holes = [sum(len(p.interiors) for p in polygons_of(shape)) for shape in (closed, moved)]
+    if holes[0] < holes[1]:
         return False
     shapely.prepare(visited)
-    points = shapely.points(shapely.get_coordinates(moved))
+    points = shapely.points(shapely.get_coordinates(closed))
     return bool(shapely.dwithin(visited, points, REACHED * rules.cutter_radius).all())
+
+
+def _are_beyond(
+    pieces: NDArray[np.object_], visited: Polygon, rules: FrontRules
+) -> NDArray[np.bool_]:
+    """Return which pieces the cutter, going round `visited`, did not clear wholly."""
+    reach = REACHED * rules.cutter_radius
+    coords, piece = shapely.get_coordinates(pieces, return_index=True)
+    shapely.prepare(visited)
+    beyond = np.zeros(len(pieces), dtype=bool)
+    beyond[piece[~shapely.dwithin(visited, shapely.points(coords), reach)]] = True
+    # the middle of a wide piece may be out of reach though its rim is not
+    for i in np.flatnonzero(~beyond & (shapely.area(pieces) > reach**2)):
+        rest = shapely.difference(pieces[i], buffer(visited, reach))
+        beyond[i] = rest.area > SLIVER
+    return beyond
 
 
 def largest(shape: Region) -> Polygon:
@@ -191,12 +239,22 @@ def largest(shape: Region) -> Polygon:
 #: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
 #: much, over R: a step that jumps makes waves that grow from lap to lap.
 REACH, EVEN = 0.8, 0.9
+#: Distance of samples along a front, over R.
+SPACING = 0.2
 #: A front goes no farther than this beyond the last, over R: there the cutter reached over.
 REACHED = 0.92
+#: Radii tried to round a reentrant kink, over `FrontRules.closing`.
+CLOSINGS = (1.0, 0.5, 0.2)
 #: A hole this narrow holds no stock, half its width over R.
 IDLE = 0.995
 #: Growth ends when a step adds less than this share of the last stroke's area.
 STALLED = 0.02
+#: A stroke before a corner is not worth its link that cuts less than this over the step-over.
+SCRAP = 0.35
+#: The front is new where it is farther than this from the region before [mm].
+NEW = 0.012
+#: An opening may take so much of a free tip, over the fillet.
+TIP_HEIGHT = 0.05
 #: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
 #: fillet's: a corner of 30 degrees just holds that.
 ROOM = 0.6
@@ -209,7 +267,7 @@ SLIVER = 1e-3
 CORNER_FILLETS = (0.0, 0.17, 0.27, 0.4, 0.57, 0.77, 1.0, 1.3)
 #: These shares before the last stroke and for it: where the wall turns at once, the engagement
 #: jumps, so that less may be left for it.
-ROUND_BITES, SHARP_BITES = (0.65, 0.73), (0.5, 0.5)
+ROUND_BITES, SHARP_BITES = (0.65, 0.7), (0.5, 0.5)
 #: A corner is sharp if the first of the fillets leaves more than this of it, over R.
 SHARP = 0.03
 
@@ -243,7 +301,7 @@ def grow(
     least = STALLED * rules.stepover * rules.cutter_radius
     for _ in range(most):
         tick()
-        grown = advance(fronts[-1], omega, rules)
+        grown = _without_scraps(advance(fronts[-1], omega, rules), fronts[-1], omega, rules)
         if grown.area - fronts[-1].area < least:
             grown = _through_neck(fronts[-1], omega, rules)
             if grown is None:
@@ -252,6 +310,40 @@ def grow(
     if len(fronts) > most:
         return None
     return fronts + finish_corners(fronts[-1], omega, rules)
+
+
+def _without_scraps(grown: Polygon, visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
+    """Return a front without the strokes that would hardly cut anything before a corner.
+
+    There the fillet is nearly reached; the corner is better finished from where it is.
+    """
+    shapely.prepare(visited)
+    if not _may_have_scraps(grown, visited, rules):
+        return grown
+    pieces = shapely.get_parts(shapely.difference(grown, visited))
+    coords, piece = shapely.get_coordinates(pieces, return_index=True)
+    thin = np.ones(len(pieces), dtype=bool)
+    thin[piece[~shapely.dwithin(visited, shapely.points(coords), SCRAP * rules.stepover)]] = False
+    thin &= shapely.dwithin(pieces, omega.boundary, 0.02)
+    if not thin.any():
+        return grown
+    return largest(shapely.difference(grown, shapely.union_all(pieces[thin])))
+
+
+def _may_have_scraps(grown: Polygon, visited: Polygon, rules: FrontRules) -> bool:
+    """Return whether a run of new points along the rings stays close to `visited`; quick."""
+    for ring in (grown.exterior, *grown.interiors):
+        points = shapely.points(shapely.get_coordinates(ring))
+        new = ~shapely.dwithin(visited, points, NEW)
+        if not new.any() or new.all():
+            continue
+        first = int(np.flatnonzero(~new)[0])
+        new = np.roll(new, -first)
+        far = np.roll(~shapely.dwithin(visited, points, SCRAP * rules.stepover), -first)
+        run = np.cumsum(np.diff(new.astype(np.int8), prepend=0) > 0)[new]
+        if (np.bincount(run, weights=far[new])[1:] == 0).any():
+            return True
+    return False
 
 
 def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon | None:

@@ -47,10 +47,10 @@ def leave_wall(lap: Floats, region: Polygon, cutter_radius: float) -> Floats:
 
 
 #: Handle lengths of a link over the distance of its ends, and absolute over R.
-HANDLES, HANDLES_R = (0.25, 0.5, 0.8, 1.2, 2.0), (2.0, 4.0)
+HANDLES, HANDLES_R = (0.25, 0.5, 0.8, 1.2, 2.0, 3.0), (2.0, 4.0)
 #: A link with a tighter bend than the least radius counts as so much slower: in time alone a near
 #: stop is no worse than a loop, but it jerks the machine.
-NERVOUS = 1.4
+NERVOUS = 2.0
 #: Points of a link when it is timed and tested.
 POINTS = 25
 

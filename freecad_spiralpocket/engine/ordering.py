@@ -35,7 +35,7 @@ ROUTED = 6
 #: A spiral goes on to the next lap where that is no farther than this over the step-over.
 WIDEST = 1.3
 #: Points of a link as it is cut.
-FINE = 97
+FINE = 193
 #: A link that may not leave the region may still do so by this much [mm].
 SLACK = 0.003
 

@@ -11,10 +11,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .entry import APPROACH, cut_entry, entry_start
-from .floor import FloorPath, Helix, Pass, Slot
+from .floor import FloorPath, Groove, Helix, Pass, Slot
 from .model import PocketRequest
 from .rooms import Room
 from .toolpath import Role, Toolpath, ToolpathBuilder
+
+#: Arcs keep within this share of the tolerance of what they replace.
+ARC_SHARE = 0.4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,11 +68,16 @@ def _cut_room(builder: ToolpathBuilder, cut: Cut, lift: float, request: PocketRe
             builder.line((*part.points[-1], bottom), feeds.vertical, Role.LINK)
         else:
             feed = request.link_feed if part.role is Role.LINK else feeds.horizontal
-            builder.polyline(part.points, bottom, feed, part.role)
+            slack = ARC_SHARE * request.tolerance
+            builder.along(part.points, bottom, feed, part.role, slack)
 
 
 def _go_down(
-    builder: ToolpathBuilder, entry: Helix | Slot, top: float, bottom: float, request: PocketRequest
+    builder: ToolpathBuilder,
+    entry: Helix | Slot | Groove,
+    top: float,
+    bottom: float,
+    request: PocketRequest,
 ) -> None:
     """Add the way over to an entry, at the height where the cutter is, and down into the stock."""
     feeds, angle = request.feeds, request.entry.helix_angle

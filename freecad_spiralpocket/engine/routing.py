@@ -21,6 +21,8 @@ from .model import Floats
 
 #: Raster pixels to a cell of the coarse grid.
 COARSE = 3
+#: Longest chord of a link [mm].
+CHORD = 0.12
 #: Distances of control points tried, over R.
 SPACINGS = (3.0, 2.0, 1.3, 0.8)
 
@@ -50,7 +52,7 @@ def route(
         controls = np.vstack(
             [start, start + handle * heading / 2, middle, end - handle * arriving / 2, end]
         )
-        curve = _clamped(controls, max(25, int(line.length / 0.5)))
+        curve = _clamped(controls, max(97, int(line.length / CHORD)))
         if cleared.are_free(curve) and fence.covers(LineString(curve)):
             return curve
     return None

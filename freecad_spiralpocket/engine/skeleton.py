@@ -14,13 +14,22 @@ from __future__ import annotations
 import heapq
 import math
 from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 from shapely import Polygon
 
 from .model import Floats
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+#: Pairs of node indices.
+Edges: TypeAlias = list[tuple[int, int]]
 
 #: Boundary samples are this far apart at least and at most [mm], and about this many.
 SAMPLE_MIN, SAMPLE_MAX, SAMPLES = 0.3, 2.0, 700
@@ -97,7 +106,7 @@ def _boundary_distances(rings: list[Floats], pairs: NDArray[np.intp]) -> Floats:
     return np.where(same, np.minimum(steps, around - steps), np.inf)
 
 
-def peel(axis: Skeleton, share: float) -> list[tuple[int, int]]:
+def peel(axis: Skeleton, share: float) -> Edges:
     """Peel the axis from its tips and return the edges that remain.
 
     Parameters
@@ -134,9 +143,60 @@ def peel(axis: Skeleton, share: float) -> list[tuple[int, int]]:
     return [(a, b) for a, near in neighbors.items() for b in near if a < b]
 
 
-def longest_path(axis: Skeleton, edges: list[tuple[int, int]]) -> Floats:
+def without_spurs(axis: Skeleton, edges: Edges, share: float) -> Edges:
+    """Return the edges without the branches that end short of the junction they leave.
+
+    Those are the forks into the corners of a blunt end. The shortest goes first, because what
+    was a junction may be a bend afterwards.
+
+    Parameters
+    ----------
+    axis : Skeleton
+    edges : list of (int, int)
+    share : float
+        Shortest branch that stays, over the clearance of its junction.
+    """
+    neighbors: dict[int, set[int]] = {}
+    for a, b in edges:
+        neighbors.setdefault(a, set()).add(b)
+        neighbors.setdefault(b, set()).add(a)
+
+    def length(branch: list[int]) -> float:
+        return float(np.hypot(*np.diff(axis.nodes[branch], axis=0).T).sum())
+
+    while True:
+        branches = [_branch(tip, neighbors) for tip, near in neighbors.items() if len(near) == 1]
+        spurs = [
+            s
+            for s in branches
+            if len(neighbors[s[-1]]) > 2 and length(s) < share * axis.clearance[s[-1]]
+        ]
+        if not spurs:
+            return [(a, b) for a, near in neighbors.items() for b in near if a < b]
+        shortest: list[int] = min(spurs, key=length)
+        for a, b in pairwise(shortest):
+            neighbors[a].discard(b)
+            neighbors[b].discard(a)
+
+
+def _branch(tip: int, neighbors: dict[int, set[int]]) -> list[int]:
+    """Return the nodes from a tip to the next junction or tip."""
+    branch = [tip, *neighbors[tip]]
+    while len(neighbors[branch[-1]]) == 2:
+        (ahead,) = neighbors[branch[-1]] - {branch[-2]}
+        branch.append(ahead)
+    return branch
+
+
+def longest_path(axis: Skeleton, edges: Edges) -> Floats:
     """Return the longest shortest path along `edges`, shape (k, 2) [mm]; empty if there is none."""
     return axis.nodes[longest_route(axis, np.array(edges, np.intp).reshape(-1, 2))]
+
+
+def longest_edges(axis: Skeleton, edges: Edges) -> Edges:
+    """Return the edges of the longest shortest path along `edges`."""
+    route = longest_route(axis, np.array(edges, np.intp).reshape(-1, 2))
+    return list(pairwise(route.tolist()))
 
 
 def longest_route(axis: Skeleton, edges: NDArray[np.intp]) -> NDArray[np.intp]:
@@ -148,16 +208,11 @@ def longest_route(axis: Skeleton, edges: NDArray[np.intp]) -> NDArray[np.intp]:
     edges : ndarray of int, shape (m, 2)
         Connected.
     """
-    from scipy.sparse import coo_array
     from scipy.sparse.csgraph import dijkstra
 
     if len(edges) == 0:
         return np.empty(0, np.intp)
-    used, index = np.unique(edges, return_inverse=True)
-    index = index.reshape(-1, 2)
-    nodes = axis.nodes[used]
-    weights = np.hypot(*(nodes[index[:, 0]] - nodes[index[:, 1]]).T)
-    graph = coo_array((weights, (index[:, 0], index[:, 1])), shape=(len(used),) * 2).tocsr()
+    used, graph = _graph(axis, edges)
 
     def farthest(start: int) -> tuple[int, NDArray[np.intp]]:
         distances, before = dijkstra(graph, directed=False, indices=start, return_predecessors=True)
@@ -170,3 +225,32 @@ def longest_route(axis: Skeleton, edges: NDArray[np.intp]) -> NDArray[np.intp]:
     while path[-1] != one:
         path.append(int(before[path[-1]]))
     return np.asarray(used[path])
+
+
+def distances_from(axis: Skeleton, edges: Edges, place: Floats) -> tuple[Floats, Floats]:
+    """Return the nodes of `edges` and how far each is along them from the one nearest to `place`.
+
+    Returns
+    -------
+    nodes : ndarray of shape (n, 2)
+    distances : ndarray of shape (n,)
+        [mm]
+    """
+    from scipy.sparse.csgraph import dijkstra
+
+    used, graph = _graph(axis, np.array(edges, np.intp).reshape(-1, 2))
+    nodes = axis.nodes[used]
+    start = int(cKDTree(nodes).query(place)[1])
+    return nodes, dijkstra(graph, directed=False, indices=start)
+
+
+def _graph(axis: Skeleton, edges: NDArray[np.intp]) -> tuple[NDArray[np.intp], csr_array]:
+    """Return the indices of the nodes of `edges`, shape (n,), and the graph of their distances."""
+    from scipy.sparse import coo_array
+
+    used, index = np.unique(edges, return_inverse=True)
+    index = index.reshape(-1, 2)
+    nodes = axis.nodes[used]
+    weights = np.hypot(*(nodes[index[:, 0]] - nodes[index[:, 1]]).T)
+    graph = coo_array((weights, (index[:, 0], index[:, 1])), shape=(len(used),) * 2)
+    return used, graph.tocsr()

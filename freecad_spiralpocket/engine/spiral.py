@@ -23,6 +23,8 @@ from .strokes import CHORD, Stroke
 #: Length of the zone over which a lap becomes the next, over R: the way across adds its angle to
 #: the engagement.
 BLEND = 7.0
+#: Longest chord of a blend [mm]: round the tip of a slot it is tight.
+FINE_CHORD = 0.1
 #: Places to leave a lap that are looked at.
 ZONES = 8
 #: Share of the zone over which that angle builds up, and dies away.
@@ -61,7 +63,7 @@ def between(line: LineString, start: float, length: float) -> Floats:
 
 def blend(lap: LineString, start: float, target: LineString, length: float) -> Floats:
     """Return the way from `lap` at `start` onto `target`, over `length` [mm]."""
-    count = max(4, int(np.ceil(length / CHORD)))
+    count = max(4, int(np.ceil(length / FINE_CHORD)))
     u = np.linspace(0.0, 1.0, count + 1)
     source = points_at(lap, (start + u * length) % lap.length)
     onto = points_at(target, shapely.line_locate_point(target, shapely.points(source)))

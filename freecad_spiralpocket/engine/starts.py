@@ -19,12 +19,13 @@ import shapely
 from scipy.ndimage import gaussian_filter1d
 from shapely import LineString, Polygon
 
+from .branches import feet_between, lengthened, slim_ring
 from .entry import fit_helix_radius
 from .errors import CutterDoesNotFitError
-from .floor import Helix, Slot
+from .floor import Groove, Helix, Slot
 from .fronts import buffer, largest, oriented
 from .model import Floats, PocketRequest
-from .skeleton import Skeleton, longest_path, medial_axis, peel
+from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
 
 #: Shares of the largest clearance down to which the medial axis is peeled.
@@ -35,6 +36,15 @@ BRANCHED = 1.15
 SPINE_SLACK = 0.1
 #: Half the racetrack's width over D; less where a post would remain in a bend.
 HALF_WIDTHS = (0.46, 0.42, 0.38, 0.33)
+#: A groove runs along the axis peeled to this share of the largest clearance, without branches
+#: shorter than this over the clearance at their foot.
+UNFORKED, SPUR = 0.8, 1.6
+#: A racetrack is tried as well where walls are so near to the axis, over D: it clears all at once.
+NARROW = 1.0
+#: A groove is tried where a slot's bite stays below the equal one by this.
+CAPPED = 0.95
+#: Half the distance between the ways forth and back of a groove, over D.
+GROOVE_HALF_WIDTH = 0.08
 #: Radius of reentrant curves of the racetrack, over R; the first that leaves no post.
 ROUNDINGS = (1.0, 0.5)
 #: The ring keeps off the islands' walls by this [mm].
@@ -57,7 +67,7 @@ class Start:
         islands are filled.
     omega : shapely.Polygon
         The region to grow in, ringed islands filled.
-    entry : Helix or Slot
+    entry : Helix, Slot or Groove
     ring : LineString
         The entry's last lap, closed, from where the entry ends.
     """
@@ -65,7 +75,7 @@ class Start:
     name: str
     visited: Polygon
     omega: Polygon
-    entry: Helix | Slot
+    entry: Helix | Slot | Groove
     ring: LineString
 
 
@@ -76,8 +86,12 @@ def slot_bite(request: PocketRequest) -> float:
     """
     if request.entry.slot_bite > 0:
         return request.entry.slot_bite
-    equal = request.cutting.stepover * request.axial_depth / request.tool_diameter
-    return min(equal, DEEPEST_BITE * request.tool_diameter)
+    return min(equal_bite(request), DEEPEST_BITE * request.tool_diameter)
+
+
+def equal_bite(request: PocketRequest) -> float:
+    """Return the axial depth of a full slot that removes as much as the step-over does [mm]."""
+    return request.cutting.stepover * request.axial_depth / request.tool_diameter
 
 
 def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
@@ -95,14 +109,9 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
         starts.append(_point(region, axis, request))
     except CutterDoesNotFitError as error:
         failure = error
-    for spine in _spines(axis, request):
-        start = _curve(region, spine, request)
-        if start is not None:
-            starts.append(start)
-    if region.interiors:
-        ringed = _island_ring(region, request)
-        if ringed is not None:
-            starts.append(ringed)
+    # the axis round islands has no one path; a slot along a part of it is a poor start
+    ringed = _island_ring(region, request) if region.interiors else None
+    starts.extend([ringed] if ringed is not None else _slots(region, axis, request))
     if not starts:
         raise (
             failure
@@ -112,6 +121,17 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
                 "Take a smaller cutter.",
             )
         )
+    return starts
+
+
+def _slots(region: Polygon, axis: Skeleton, request: PocketRequest) -> list[Start]:
+    """Return the ways to open a long region along its middle."""
+    starts = []
+    if slot_bite(request) < CAPPED * equal_bite(request):
+        starts = _grooves(region, axis, request)
+    if not starts or axis.clearance.max() < NARROW * request.tool_diameter:
+        raced = [_curve(region, spine, request) for spine in _spines(axis, request)]
+        starts.extend(start for start in raced if start is not None)
     return starts
 
 
@@ -132,7 +152,7 @@ def _spines(axis: Skeleton, request: PocketRequest) -> list[shapely.Geometry]:
     radius = request.cutter_radius
     spines: list[shapely.Geometry] = []
     for share in PEELED:
-        edges = peel(axis, share)
+        edges = without_spurs(axis, peel(axis, share), SPUR)
         points = longest_path(axis, edges)
         if len(points) < 2:
             continue
@@ -146,7 +166,7 @@ def _spines(axis: Skeleton, request: PocketRequest) -> list[shapely.Geometry]:
     return spines
 
 
-def _has_loop(edges: list[tuple[int, int]]) -> bool:
+def _has_loop(edges: Edges) -> bool:
     nodes = {node for edge in edges for node in edge}
     return len(edges) >= len(nodes)
 
@@ -175,6 +195,36 @@ def slot_round(region: Polygon, shape: Polygon, request: PocketRequest) -> Start
         if leaves_no_post(visited, request):
             return _slot_start("curve", visited, region, request)
     return None
+
+
+def _grooves(region: Polygon, axis: Skeleton, request: PocketRequest) -> list[Start]:
+    """Return slots forth and back along a long region's middle, and along all its branches."""
+    edges = without_spurs(axis, peel(axis, UNFORKED), SPUR)
+    path = longest_edges(axis, edges)
+    if not path:
+        return []
+    trees = [path]
+    if not _has_loop(edges) and len(edges) > BRANCHED * len(path):
+        trees.append(edges)
+    starts = [_groove(region, axis, tree, request) for tree in trees]
+    return [start for start in starts if start is not None]
+
+
+def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketRequest) -> Start | None:
+    """Return the slot about a tree; None where that is shorter than the cutter is wide."""
+    branches, tips = lengthened(axis, edges, region, SMOOTHING * request.cutter_radius)
+    if sum(LineString(b).length for b in branches) < request.tool_diameter:
+        return None
+    visited = slim_ring(branches, GROOVE_HALF_WIDTH * request.tool_diameter, region)
+    rim = LineString(visited.exterior.coords)
+    room = shapely.distance(region.boundary, shapely.points(tips))
+    first = int(np.argmax(np.round(room, 3)))
+    points = between(rim, rim.project(shapely.Point(tips[first])), rim.length)[:-1]
+    ring = LineString(np.vstack([points, points[:1]]))
+    others = sorted(ring.project(shapely.Point(t)) for t in np.delete(tips, first, axis=0))
+    feet = feet_between(ring, others, axis, edges)
+    groove = Groove(points, tuple(others), tuple(feet), slot_bite(request))
+    return Start("groove", visited, region, groove, ring)
 
 
 def _smoothed(raw: LineString, width: float) -> LineString:

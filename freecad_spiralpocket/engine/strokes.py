@@ -16,14 +16,14 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
+from .fronts import NEW
 from .model import Floats
 
-#: The front is new where it is farther than this from the region before [mm].
-NEW = 0.012
 #: Thinner strokes than this cut nothing worth a move [mm].
 THINNEST = 0.03
-#: Gaps shorter than this are cut through [mm]; each end runs on by so much [mm].
-GAP, OVERRUN = 2.5, 0.8
+#: Gaps shorter than this are cut through [mm]; a stroke begins so much early, before the rim ahead
+#: meets stock, and ends so much late [mm].
+GAP, LEAD, OVERRUN = 2.5, 0.8, 0.4
 #: Longest chord of a stroke [mm].
 CHORD = 0.5
 
@@ -110,7 +110,7 @@ def _merged(new: NDArray[np.bool_], along: Floats) -> list[list[int]] | None:
 def _overrun(points: Floats, along: Floats, total: float, a: int, b: int) -> Floats:
     """Return points a..b of a ring (a may be negative), run on along it at both ends."""
     n = len(points)
-    begin = along[a % n] - (total if a < 0 else 0.0) - OVERRUN
+    begin = along[a % n] - (total if a < 0 else 0.0) - LEAD
     end = along[b % n] + OVERRUN
     index = np.arange(a - n, b + n + 1)
     s = along[index % n] + total * (index // n)

@@ -16,6 +16,7 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from .arcs import fit_arcs
 from .model import Floats
 
 
@@ -152,10 +153,22 @@ class ToolpathBuilder:
         """Move straight to `point`, (x, y, z) [mm], at `feed` [mm/s]."""
         self._add(Kind.LINE, role, np.array(point, float), np.full(2, np.nan), feed)
 
-    def polyline(self, points: Floats, z: float, feed: float, role: Role) -> None:
-        """Move along `points`, shape (n, 2) [mm], at height `z` [mm]."""
-        for x, y in points:
-            self.line((x, y, z), feed, role)
+    def along(self, points: Floats, z: float, feed: float, role: Role, tolerance: float) -> None:
+        """Move along `points`, shape (n, 2) [mm], at height `z`, in lines and arcs.
+
+        They keep within `tolerance` [mm] of the polyline from here on.
+        """
+        points = np.vstack([self._here[:2], points])
+        apart = np.hypot(*np.diff(points, axis=0).T) > self.SHORTEST
+        points = points[np.concatenate([[True], apart])]
+        if len(points) < 2:
+            return
+        fitted = fit_arcs(points, tolerance)
+        for end, center, ccw in zip(fitted.ends, fitted.centers, fitted.ccw, strict=True):
+            if np.isnan(center[0]):
+                self.line((*points[end], z), feed, role)
+            else:
+                self.arc((*points[end], z), center, bool(ccw), feed, role)
 
     def arc(
         self,

@@ -21,8 +21,9 @@ from shapely import LineString, Polygon
 
 from ..cleared import ClearedMap
 from ..errors import NotYetError
-from ..floor import FloorPath, Helix, Pass
+from ..floor import FloorPath, Groove, Helix, Pass
 from ..fronts import MAX_FRONTS, FrontRules, grow, oriented
+from ..groove import groove_path
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
 from ..model import Floats, PocketRequest, Tick
@@ -38,9 +39,9 @@ CLOSING = 1.33
 #: Radius with which fronts meet walls, over the step-over.
 FILLET = 1.75
 #: Links avoid tighter bends than this, over R.
-LEAST_RADIUS = 0.25
+LEAST_RADIUS = 0.12
 #: A start is hopeless whose farthest wall is farther than this over the nearest one's.
-HOPELESS = 2.2
+HOPELESS = 1.5
 #: One is given up that needs more levels than this over the best.
 HOPELESS_LEVELS = 1.8
 #: So few levels are always worth simulating.
@@ -200,6 +201,9 @@ def _entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> floa
     depth, slope = request.axial_depth, math.tan(request.entry.helix_angle)
     if isinstance(start.entry, Helix):
         return (depth / slope + start.ring.length) / motion.cut_feed
+    if isinstance(start.entry, Groove):
+        path = groove_path(start.entry, request.entry.helix_angle, depth, 0.0)
+        return LineString(path).length / motion.cut_feed
     levels = math.ceil(depth / start.entry.bite - 1e-9)
     return (levels * start.ring.length + depth / levels / slope) / motion.cut_feed
 

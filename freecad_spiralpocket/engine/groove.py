@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A slot barely wider than the cutter, opened forth and back in flat levels.
+
+The cutter goes round a slim ring about a line, or about a tree of lines. On the way
+out of a branch's foot it takes one level, on the way back the next, so that no pass
+runs in air. At every tip it goes down on a slim loop as long as the ramp
+angle needs: nowhere does more stand ahead of it than one level's bite. Against
+a racetrack of nearly two diameters this leaves half of the width to the spiral, which
+removes it at the full depth and therefore faster [another cure for EAS07's full slot].
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from shapely import LineString
+
+from .floor import Groove
+from .model import Floats
+from .spiral import between
+
+#: Chords of half a turn.
+CHORDS = 10
+#: Between two branches the cutter rises by one level over so much, over the bite.
+RISE = 2.0
+
+
+def groove_levels(groove: Groove, top: float, bottom: float) -> int:
+    """Return how many passes open the groove from `top` to `bottom`.
+
+    About a tree every branch is left by the way it was entered: an even number.
+    """
+    count = max(1, math.ceil((top - bottom) / groove.bite - 1e-9))
+    return count if len(groove.tips) == 1 else count + count % 2
+
+
+def groove_path(groove: Groove, angle: float, top: float, bottom: float) -> Floats:
+    """Return the way of the cutter's center, shape (n, 3) [mm].
+
+    It ends at the ring's first point, at the bottom.
+
+    Parameters
+    ----------
+    groove : Groove
+    angle : float
+        Of the ramps [rad].
+    top, bottom : float
+        [mm]
+    """
+    count = groove_levels(groove, top, bottom)
+    bite = (top - bottom) / count
+    ring = LineString(np.vstack([groove.ring, groove.ring[:1]]))
+    tips = [0.0, *groove.tips, ring.length]
+    feet = [*groove.feet, ring.length]  # behind each tip but the last
+    first = 0
+    if count % 2 == 1:  # along a line, from its far end
+        first = 1
+    pieces = []
+    level = 0
+    while level < count:
+        for i in range(first, len(tips) - 1):
+            last = i == len(tips) - 2
+            pieces.append(_ramp(ring, tips[i], bite, angle, top - bite * level))
+            level += 1
+            z = top - bite * level
+            if last or i == 0:
+                pieces.append(_flat(ring, tips[i], tips[i + 1], z))
+            else:
+                pieces.append(_flat(ring, tips[i], feet[i - 1], z))
+                level -= 1
+                pieces.append(_flat(ring, feet[i - 1] + RISE * bite, tips[i + 1], z + bite))
+        first = 0
+    path = np.vstack(pieces)
+    moved = np.abs(np.diff(path, axis=0)).max(axis=1) > 1e-9
+    return path[np.concatenate([[True], moved])]
+
+
+def _flat(ring: LineString, start: float, end: float, z: float) -> Floats:
+    points = between(ring, start, end - start)
+    return np.column_stack([points, np.full(len(points), z)])
+
+
+def _ramp(ring: LineString, tip: float, fall: float, angle: float, high: float) -> Floats:
+    """Return a slim loop about a tip of the ring, out and back to it, down by `fall`."""
+    reach = min(fall / math.tan(angle) / 2, 0.2 * ring.length)
+    out, back = between(ring, tip, reach), between(ring, tip - reach, reach)
+    points = np.vstack([out, _turn(out[-1], back[0], out[-1] - out[-2])[1:-1], back])
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    return np.column_stack([points, high - fall * along / along[-1]])
+
+
+def _turn(start: Floats, end: Floats, ahead: Floats) -> Floats:
+    """Return half a turn to the left from `start` to `end`, bulging `ahead`."""
+    center, arm = (start + end) / 2, (start - end) / 2
+    ahead = ahead / np.hypot(*ahead) * np.hypot(*arm)
+    phi = np.linspace(0.0, math.pi, CHORDS + 1)[:, None]
+    return center + np.cos(phi) * arm + np.sin(phi) * ahead
