@@ -30,9 +30,9 @@ from .routing import shortest_way
 #: left, away from the stock, before they unwind. The first with which a link fits is taken.
 LEADS = ((1.0, 0.0), (0.5, 1.3), (0.35, 2.5))
 #: Distances along the rays at which straight pieces begin and end, over R.
-REACHES = (0.4, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0)
+REACHES = (0.4, 1.0, 2.5, 6.0, 15.0)
 #: Shares of the room at a corner that its bi-clothoid takes.
-SHARES = (1.0, 0.6, 0.3)
+SHARES = (1.0, 0.5)
 #: No corner turns farther than this [rad].
 SHARPEST = 2.7
 #: Points of each half corner and each straight piece when a link is timed and tested.

@@ -26,6 +26,8 @@ from .starts import HALF_WIDTHS, Start, slot_round
 
 #: Half the width of the ways between centers, over D.
 JOINT = 0.3
+#: Laps are no farther apart than this over D: in a square bend they are 1.41 times as far.
+WIDEST = 0.7
 #: Rounding takes no more than this off what is opened [mm].
 ROUNDING = 0.05
 
@@ -61,22 +63,19 @@ def open_centers(region: Polygon, axis: Skeleton, request: PocketRequest) -> Ope
     CutterDoesNotFitError
         If there is no room to go down.
     """
-    stepover, radius = request.cutting.stepover, request.cutter_radius
+    stepover, radius = spacing_of(request), request.cutter_radius
     halves = [share * request.tool_diameter for share in HALF_WIDTHS]
-    found = [maximal_centers(region, axis, half, stepover, radius) for half in halves]
-    for half, centers in zip(halves, found, strict=True):
-        if len(centers) > 1:
+    for most in (len(axis.nodes), 1):
+        for half in halves:
+            centers = maximal_centers(region, axis, half, stepover, radius)[:most]
+            if sum(c.curve.length for c in centers) == 0 and len(centers) < 2:
+                break
             joints = joined(axis, [c.nodes for c in centers])
             shapes = [buffer(c.curve, half) for c in centers]
             ways = buffer(_ways(axis, centers, joints), JOINT * request.tool_diameter)
             start = slot_round(region, shapely.union_all([*shapes, ways]), request)
             if start is not None and _opens(start, shapes):
                 return Opening(start, tuple(centers), half, tuple(joints))
-    for half, centers in zip(halves, found, strict=True):
-        if centers and centers[0].curve.length > 0:
-            start = slot_round(region, buffer(centers[0].curve, half), request)
-            if start is not None:
-                return Opening(start, (centers[0],), half)
     return _open_point(region, axis, request)
 
 
@@ -101,14 +100,23 @@ def _ways(axis: Skeleton, centers: list[Center], joints: list[Joint]) -> shapely
 
 def _open_point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Opening:
     """Return the opening by a helix at the widest place."""
-    widest = int(np.argmax(axis.clearance))
-    place = axis.nodes[widest]
+    place = np.array(shapely.maximum_inscribed_circle(region).coords[0])
+    room = 0.0
+    nodes = np.empty(0, np.intp)
+    if len(axis.nodes):
+        nodes = np.array([np.argmax(axis.clearance)])
+        place, room = axis.nodes[nodes[0]], float(axis.clearance[nodes[0]])
     radius = fit_helix_radius(region, place, request.cutter_radius, request.entry)
-    laps = int(max(0.0, axis.clearance[widest] - radius) / request.cutting.stepover + 1e-6)
-    center = Center(Point(place), laps, np.array([widest]))
+    laps = int(max(0.0, room - radius) / spacing_of(request) + 1e-6)
+    center = Center(Point(place), laps, nodes)
     circle = oriented(buffer(center.curve, radius))
     points = np.asarray(circle.exterior.coords)[:-1]
     angle = float(np.arctan2(*(points[0] - place)[::-1]))
     ring = LineString(np.vstack([points, points[:1]]))
     start = Start("point", circle, region, Helix(place, radius, angle), ring)
     return Opening(start, (center,), radius)
+
+
+def spacing_of(request: PocketRequest) -> float:
+    """Return the spacing of laps, b [mm]: the step-over, but no ridge may stay in a bend."""
+    return min(request.cutting.stepover, WIDEST * request.tool_diameter)

@@ -33,7 +33,7 @@ from ..floor import FloorPath
 from ..fronts import MAX_FRONTS, grow, largest, oriented
 from ..joints import walk_over
 from ..model import Floats, PocketRequest, Tick
-from ..openings import Opening, open_centers
+from ..openings import Opening, open_centers, spacing_of
 from ..ordering import SLACK, Step, order, runs_of
 from ..polyline import points_at
 from ..routing import route
@@ -44,8 +44,8 @@ from .automatic import PIXELS, motion_of, passes_of, rules_of
 
 #: Places of a spiral's first lap where it may be begun.
 BEGINNINGS = 12
-#: So many of the nearest are tried along a longer way.
-ROUTED = 4
+#: So many of those with the least detour are tried, and along a longer way.
+TRIED, ROUTED = 6, 4
 #: A spiral whose first lap passes this near begins without a link [mm].
 TOUCHES = 0.05
 #: It comes to its own over this length [mm].
@@ -143,7 +143,7 @@ def _in_order(opening: Opening, axis: Skeleton, request: PocketRequest) -> list[
     middles = np.array([shapely.get_coordinates(c.curve.centroid)[0] for c in centers])
     turning = [i for i, c in enumerate(centers) if c.laps > 0]
     order_ = walk_over(opening.joints, turning, middles, axis) if turning else []
-    half, stepover, radius = opening.half_width, request.cutting.stepover, request.cutter_radius
+    half, stepover, radius = opening.half_width, spacing_of(request), request.cutter_radius
     return [spiral_about(centers[i], half, stepover, radius) for i in order_]
 
 
@@ -208,12 +208,13 @@ def _way_to(
     radius, motion = request.cutter_radius, motion_of(request)
     leave = Place(*bend_at(ring, at, radius))
     arrive = [_beginning(spiral, float(b), radius) for b in beginnings]
+    near = np.argsort([_detour(leave, place, radius) for place in arrive], kind="stable")[:TRIED]
+    beginnings, arrive = beginnings[near], [arrive[i] for i in near]
     found = clothoid_link(leave, arrive, cleared, fence, motion, radius, request.tolerance / 2)
     if found is not None:
         path, chosen = found
         return path.sampled(request.tolerance / 2), path, float(beginnings[chosen])
-    near = np.argsort([_detour(leave, place, radius) for place in arrive], kind="stable")[:ROUTED]
-    for i in near.tolist():
+    for i in range(ROUTED):
         way = clothoid_way(leave, arrive[i], cleared, fence, radius, request.tolerance / 2)
         if way is not None:
             return way.sampled(request.tolerance / 2), way, float(beginnings[i])
