@@ -31,7 +31,23 @@ def hug() -> Polygon:
     lobes = [Point(x, 0).buffer(30, quad_segs=64) for x in (-32, 32)]
     notch = Polygon([(-14, 34), (14, 34), (3.5, -4), (-3.5, -4)])
     heart = union_all([*lobes, box(-32, -30, 32, 10)]).difference(notch)
-    return rounded(heart, 3.0, 7.0)
+    return rounded(heart, 8.0, 7.0)
+
+
+def rib() -> list[Polygon]:
+    """Return nine pockets of a wing rib, corners of radius 10 [CS08 fig. 17]."""
+    outlines = (
+        [(0, 0), (120, 0), (120, 90), (0, 70)],
+        [(0, 0), (130, 0), (130, 110), (0, 90)],
+        [(0, 0), (130, 0), (130, 115), (0, 110)],
+        [(0, 0), (110, 0), (110, 115), (0, 115)],
+        [(0, 0), (150, 0), (150, 110), (0, 115)],
+        [(0, 0), (100, 0), (100, 100), (0, 110)],
+        [(0, 0), (140, 0), (140, 80), (0, 100)],
+        [(0, 0), (90, 0), (90, 65), (0, 80)],
+        [(0, 0), (150, 0), (0, 65)],
+    )
+    return [rounded(Polygon(outline), 10.0) for outline in outlines]
 
 
 _MADE = {"big": big, "hug": hug}

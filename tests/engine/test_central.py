@@ -39,20 +39,21 @@ def polar(points: np.ndarray, center: np.ndarray) -> tuple[np.ndarray, np.ndarra
 
 
 @pytest.mark.parametrize("ratio", [0.3, 0.55, 0.7])
-def test_spiral_is_archimedean_until_c_times_the_width(ratio):
+def test_spiral_is_archimedean_until_at_most_c_times_the_width(ratio):
     region, path = path_of(SQUARE, ratio)
     center = deepest_center(region)
     angles, radii = polar(path.passes[0].points, center)
-    end = ratio * region.boundary.distance(Point(center))
-    # the circles end on the x-axis, where the radius is what C says
-    at = int(np.argmin(np.abs(radii - end)))
-    slopes = np.diff(radii[: at + 1]) / np.diff(angles[: at + 1])
-    np.testing.assert_allclose(slopes, STEP / (2 * np.pi), rtol=1e-6)
-    assert abs(np.sin(angles[at])) < 1e-6
+    room = region.boundary.distance(Point(center))
+    slopes = np.diff(radii) / np.diff(angles)
+    even = np.abs(slopes - STEP / (2 * np.pi)) < 1e-6
+    end = int(np.argmin(even))
+    # the circles end on the x-axis, as near to C as whole turns to the wall allow
+    assert abs(np.sin(angles[end])) < 1e-6
+    assert ratio * room - 1.5 * STEP < radii[end] <= ratio * room + 1e-6
 
 
 @pytest.mark.parametrize("pocket", [SQUARE, PENTAGON, CIRCLE])
-def test_no_ray_is_divided_coarser_than_the_step_over(pocket):
+def test_no_ray_is_divided_coarser_than_a_square_corner_of_contour_parallel_laps(pocket):
     region, path = path_of(pocket)
     center = deepest_center(region)
     angles, radii = polar(path.passes[0].points, center)
@@ -60,7 +61,7 @@ def test_no_ray_is_divided_coarser_than_the_step_over(pocket):
     turns = np.interp(angles[angles > angles[0] + 2 * np.pi] - 2 * np.pi, angles, radii)
     thickness = radii[angles > angles[0] + 2 * np.pi] - turns
     assert thickness.min() > 0
-    assert thickness.max() < 1.02 * STEP
+    assert thickness.max() < 1.02 * central.THICKEST * STEP
 
 
 def test_corners_are_rounded_and_left_to_the_closing_lap():
@@ -68,7 +69,7 @@ def test_corners_are_rounded_and_left_to_the_closing_lap():
     corner = np.array(region.bounds[2:])
     spiral, lap = path.passes[0].points, path.passes[1].points
     left = np.hypot(*(spiral - corner).T).min()
-    assert 0.2 * STEP < left < 1.5 * STEP
+    assert 0.2 * STEP < left < 2.0 * STEP
     assert region.boundary.hausdorff_distance(LineString(lap)) < 0.01
     blunt = path_of(SQUARE, cutting=Cutting(STEP, finishing_lap=False))[1].passes[1].points
     assert np.hypot(*(blunt - corner).T).min() > 0.2 * STEP

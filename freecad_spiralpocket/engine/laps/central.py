@@ -8,13 +8,14 @@ lose time in corners: the inner laps are circles of even thickness.
   C of the pocket's width (eq. 1; both of the cutter's center, so that C = 1 touches
   the wall). C is the one that takes least time on the machine, sought from the
   paper's 55 % outwards.
-- From there rays to the wall carry the control points (section 2.3), evenly divided,
-  so that no ray is divided coarser than the step-over. The rays go to points of the
-  wall that are closer in bends, instead of one each degree.
+- From there rays to the wall carry the control points (section 2.3), evenly divided.
+  The shortest ray is divided by the step-over; in corners the laps are thicker, here no
+  more than those of contour-parallel laps in a square corner (the paper's own times can
+  only be had with about twice the step-over there, see `./dev bench papers cs08`). The
+  rays go to points of the wall that are closer in bends, instead of one each degree.
 - Control points in the corners are removed: here the wall is rounded by the largest
   radius that leaves the closing lap no more than a share of the step-over.
-- The step is even along each ray and shorter where the wall is near. Feed by
-  thickness (section 2.4) is the feed mode "Linear slow-down", by measured engagement,
+- Feed by thickness (section 2.4) is the feed mode "Linear slow-down", by measured engagement,
   which counts bends too, instead of by the distance of points.
 
 Islands, and walls that the middle does not see, are refused.
@@ -51,12 +52,18 @@ INSET = 0.01
 #: inside the region.
 SAMPLE_LENGTH, SAMPLE_TURN = 8.0, 0.5
 HALVINGS = 6
+#: Thickness in the corners, along the rays, over the step-over at most; and over D.
+THICKEST, WIDEST = math.sqrt(2), 0.85
 #: Chords of the spirals that are compared keep within this [mm].
-COARSE = 0.05
+COARSE = 0.01
 
 
 def floor_path(
-    region: Polygon, request: PocketRequest, tick: Tick, ratio: float | None = None
+    region: Polygon,
+    request: PocketRequest,
+    tick: Tick,
+    ratio: float | None = None,
+    thickest: float = THICKEST,
 ) -> FloorPath:
     """Make the spiral of one cutter-center region.
 
@@ -69,6 +76,8 @@ def floor_path(
         See `model.Tick`.
     ratio : float, optional
         C, in ``(0, 1)``; by default the one that takes least time on the machine.
+    thickest : float, optional
+        Largest thickness along the rays over the step-over, 1 or more.
 
     Raises
     ------
@@ -86,11 +95,14 @@ def floor_path(
     tick(0.3)
 
     circle = unit_circle(center, breaks, outer)
+    rays = np.hypot(*(outer - center).T)
+    widest = max(stepover, min(thickest * stepover, WIDEST * request.tool_diameter))
+    steps = np.array([stepover, widest])
 
     def spiral(share: float, tolerance: float) -> Floats:
-        end = max(radius, share * room)
+        end, step = transition(rays, radius, share * room, steps)
         turns = circular_turns(center, radius, end, stepover, tolerance)
-        _, morph = spiral_beziers(breaks, center + end * circle, outer, stepover)
+        _, morph = spiral_beziers(breaks, center + end * circle, outer, step)
         return np.vstack([turns[:-1], sample_beziers(morph, tolerance)])
 
     if ratio is None:
@@ -188,6 +200,27 @@ def circular_turns(
     angles = np.linspace(-turned, 0.0, math.ceil(turned / chord) + 1)
     radii = end_radius + stepover * angles / (2 * math.pi)
     return center + radii[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def transition(rays: Floats, start: float, wanted: float, steps: Floats) -> tuple[float, float]:
+    """Return where the circular spiral ends, and the largest thickness after it [mm].
+
+    It ends at the largest radius up to the wanted one with which the rays take whole turns at the
+    step-over on the shortest ray, or at the largest thickness in a corner.
+
+    Parameters
+    ----------
+    rays : ndarray of shape (n,)
+        Lengths of the rays from the center to the wall [mm].
+    start, wanted : float
+        Where the spiral begins, and where it shall end [mm].
+    steps : ndarray of shape (2,)
+        Thickness on the shortest ray, and largest thickness [mm].
+    """
+    reach = np.array([rays.min(), rays.max()])
+    turns = max(1, math.ceil(((reach - max(start, wanted)) / steps).max() - 1e-9))
+    end = max(start, float((reach - turns * steps).max()))
+    return end, (float(rays.max()) - end) / turns
 
 
 def unit_circle(center: Floats, breaks: Floats, outer: Floats) -> Floats:
