@@ -18,7 +18,6 @@ from .choices import strategy_note
 from .compat import PathOpGui, has_tool_controller_editor
 from .extras import FACTORIES, Extra
 from .fields import Check, Choice, Field, FineLength, LinkFeed, Number, Quantity
-from .resulttext import result_text
 from .startpoint import StartPointField
 from .startup import RESOURCES
 from .stepover import StepOverField
@@ -105,7 +104,6 @@ class OperationPage(PathOpGui.TaskPanelPage):
         finally:
             self.is_writing = False
         self.enable_fields()
-        self.form.result.setEnabled(False)  # out of date until the next recompute
         if self.was_changed:
             self.tell_changed()
 
@@ -155,8 +153,6 @@ class OperationPage(PathOpGui.TaskPanelPage):
         for field in self.fields:
             field.show()
         self.enable_fields()
-        self.form.result.setText(result_text(self.obj))
-        self.form.result.setEnabled(True)
         for extra in self.extras:
             extra.computed()
 

@@ -30,7 +30,6 @@ class ResultBox:
         self._page, self._obj = page, page.obj
         self._outlook = Outlook.of(page)
         self._remarks: list[Remark] = []
-        page.form.result.hide()  # the same in fewer words
         self.box = QtGui.QGroupBox(translate("SpiralPocket", "Result"))
         self.box.setObjectName("SpiralPocketResultBox")
         self._state = QtGui.QLabel()

@@ -1,40 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The result of an operation in a few lines, as they stand in the panel."""
+"""How figures read: times, lengths and areas in the user's unit."""
 
 from __future__ import annotations
 
-import math
-from html import escape
-from typing import Any
-
 import FreeCAD
 
-from ..op.request import engagement_limit
-
 translate = FreeCAD.Qt.translate
-
-
-def result_text(obj: Any) -> str:
-    """Return time, length, engagement, uncut area, gouge and notices as rich text.
-
-    Without a path it is the reason, or what to do.
-    """
-    if obj.PathLength.Value <= 0:
-        reasons = obj.Notices or [translate("SpiralPocket", "Apply computes the path.")]
-        return "<br>".join(map(escape, reasons))
-    lines = [
-        translate("SpiralPocket", "Time {}, cutting length {}").format(
-            duration(obj.MachiningTime), obj.PathLength.UserString
-        ),
-        translate("SpiralPocket", "Largest engagement {:.0f}°, {:.0f}° on a straight cut").format(
-            obj.LargestEngagement.Value, math.degrees(engagement_limit(obj))
-        ),
-        translate("SpiralPocket", "Uncut {}, gouge {}").format(
-            small(obj.UncutArea, power=2), small(obj.Gouge.Value)
-        ),
-    ]
-    lines += [f"⚠ {notice}" for notice in obj.Notices]
-    return "<br>".join(map(escape, lines))
 
 
 def small(value: float, power: int = 1) -> str:

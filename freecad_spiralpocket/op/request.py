@@ -28,7 +28,7 @@ from ..engine.model import (
     PocketRequest,
     Strategy,
 )
-from ..engine.stepover import engagement_angle, radial_depth
+from ..engine.stepover import radial_depth
 from . import preferences
 from .selection import SAME_HEIGHT
 
@@ -92,11 +92,6 @@ def stepover(obj: Any) -> float:
             f"Set MaxEngagement up to {FULL_SLOT:g} degrees, or to 0 for StepOver's.",
         )
     return radial_depth(math.radians(angle), diameter / 2)
-
-
-def engagement_limit(obj: Any) -> float:
-    """Return the engagement angle [rad] of a straight cut at the operation's step-over."""
-    return engagement_angle(stepover(obj), obj.OpToolDiameter.Value / 2)
 
 
 def start_point(obj: Any, pocket: Polygon) -> tuple[float, float] | None:

@@ -15,8 +15,8 @@ from window import (
     is_panel_open,
     press,
     press_toolbar_button,
+    remarks,
     select,
-    widget,
 )
 
 
@@ -67,7 +67,7 @@ def test_error_stands_in_the_panel_and_goes_when_mended(job, floor):
     diameter.Diameter = 80
     with answered() as answer:
         press(APPLY)
-    assert "80 mm" in widget("result").text()
+    assert "80 mm" in remarks()
     diameter.Diameter = 6
     press(OK)
     assert len(answer.texts) == 1

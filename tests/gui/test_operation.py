@@ -60,7 +60,6 @@ def test_new_operation_takes_the_selected_face(job, floor):
     assert [(model.Name, faces) for model, faces in operation.Base] == [
         (job.Model.Group[0].Name, (floor[1],))
     ]
-    assert "Apply" in widget("result").text()
     press(CANCEL)
 
 

@@ -238,15 +238,6 @@ def test_tool_controller_and_coolant_are_written(operation):
     assert widget("toolController").currentText() == operation.ToolController.Label
 
 
-def test_result_is_shown_after_apply_and_greyed_when_out_of_date(operation):
-    press(APPLY)
-    text = widget("result").text()
-    assert all(word in text for word in ("Time", " s,", "engagement", "mm², gouge 0.000 mm"))
-    assert widget("result").isEnabled()
-    widget("stepOverPercent").setValue(35)
-    assert not widget("result").isEnabled()
-
-
 def test_tool_can_be_changed_in_the_panel(operation):
     editor = widget("editToolController")
     if not editor.isVisible():

@@ -41,7 +41,6 @@ def test_rib_is_machined_in_the_window(doc, out_dir):
     machined = screenshot()
     machined.save(str(out_dir / f"panel-{VERSION}.png"))
     assert pixels_that_differ(bare, machined) > 5000
-    assert "engagement" in widget("result").text()
     press(OK)
     wait_for(lambda: not is_panel_open())
     (operation,) = job.Operations.Group

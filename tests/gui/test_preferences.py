@@ -2,12 +2,13 @@
 """The page of the preferences keeps defaults; the job editor knows the operation's presets."""
 
 import FreeCAD
+import FreeCADGui
 import pytest
 from PySide import QtGui
-from window import pump
+from window import OK, edit, is_panel_open, press, press_toolbar_button, pump, select
 
 from freecad_spiralpocket.gui.preferencepage import WIDGETS, PreferencePage
-from freecad_spiralpocket.op import operation, preferences, properties
+from freecad_spiralpocket.op import operation, preferences, presets, properties
 from freecad_spiralpocket.op.compat import PathSetupSheet
 
 OTHERS = {
@@ -82,3 +83,15 @@ def test_every_widget_has_a_tooltip(page):
 def test_operation_is_registered_with_the_workbench():
     pump()
     assert operation.NAME in PathSetupSheet._RegisteredOps
+
+
+def test_job_editor_opens_with_the_operations_defaults(doc, job, floor):
+    select(floor)
+    press_toolbar_button()
+    press(OK)
+    (made,) = job.Operations.Group
+    presets.keep(made)
+    edit(job)
+    assert is_panel_open()
+    FreeCADGui.Control.closeDialog()
+    pump(0.3)

@@ -103,6 +103,12 @@ def widget(name):
     return getattr(panel().operation_page.form, name)
 
 
+def remarks():
+    """Return what the result box of the open panel remarks, in one text."""
+    box = panel().operation_page.result_box.list
+    return " ".join(box.item(row).text() for row in range(box.count()))
+
+
 def panel_button(which):
     """Return the panel's button OK, APPLY or CANCEL."""
     return panel().buttonBox.button(which)
