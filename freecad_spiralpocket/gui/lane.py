@@ -2,9 +2,9 @@
 """A lane: jobs that wait for the next free worker, are shared, and can be taken back.
 
 Whoever asks for the same work gets the same job, so that OK goes on with the proof
-that the preview has begun. A running job that nobody holds any more is ended with its
-worker, and a fresh worker warms up for the next one. Workers end after a while
-without work.
+that the preview has begun. A running job that nobody holds any more is given up; a
+worker that does not answer to that is ended and another one started. Workers end after
+a while without work.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from PySide import QtCore
 from ..engine.errors import SpiralPocketError
 from .workers import Interpreters, Message, ProcessWorker, make_worker
 
+PATIENCE = 400  # ms until a worker that should give up is ended
 IDLE = 120_000  # ms without work after which the workers end
 
 
@@ -59,17 +60,42 @@ class _Seat:
     def __init__(self, lane: Lane) -> None:
         self._lane = lane
         self.job: Job | None = None
+        self._is_giving_up = False
+        self._patience = QtCore.QTimer()
+        self._patience.setSingleShot(True)
+        self._patience.timeout.connect(self._renew_and_go_on)
         self.worker = make_worker(self._hear)
 
+    @property
+    def is_free(self) -> bool:
+        """Return whether it can begin a job."""
+        return self.job is None and not self._is_giving_up
+
     def start(self, job: Job) -> None:
+        """Begin a job."""
         self.job = job
         self.worker.start(job.task, job.argument)
+
+    def give_up(self) -> None:
+        """Give the job up, and be free soon."""
+        self.job, self._is_giving_up = None, True
+        self.worker.give_up()
+        self._patience.start(PATIENCE)
 
     def renew(self) -> None:
         """End the worker with what it does and make another."""
         self.job = None
+        self._rest()
         self.worker.stop()
         self.worker = make_worker(self._hear)
+
+    def _rest(self) -> None:
+        self._is_giving_up = False
+        self._patience.stop()
+
+    def _renew_and_go_on(self) -> None:
+        self.renew()
+        self._lane.go_on()
 
     def _hear(self, message: Message) -> None:
         kind, *content = message
@@ -81,7 +107,12 @@ class _Seat:
             if job is not None:
                 self.start(job)
         elif kind == "gone" and job is None:
+            self._rest()
             self._lane.leave(self)
+        elif self._is_giving_up:
+            if kind != "progress":
+                self._rest()
+                self._lane.go_on()
         elif job is not None and kind == "progress":
             job.fraction, job.stage = content
             job.tell()
@@ -139,7 +170,7 @@ class Lane:
             self._waiting.remove(job)
         for seat in self._seats:
             if seat.job is job:
-                seat.renew()
+                seat.give_up()
         self.go_on()
 
     def wait(self, milliseconds: int) -> None:
@@ -150,7 +181,7 @@ class Lane:
     def go_on(self) -> None:
         """Give waiting jobs to free workers."""
         while self._waiting:
-            seat = next((s for s in self._seats if s.job is None), None)
+            seat = next((s for s in self._seats if s.is_free), None)
             if seat is None and len(self._seats) < self._size:
                 seat = _Seat(self)
                 self._seats.append(seat)

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 SOON = 15  # ms after a change until it is looked at, so that several changes are one
 QUIET = 300  # ms without a change after which proofs begin
+TOGETHER = 30  # ms, news within them is told once: each makes the window draw
+MOST_SHAPES = 500  # that are kept
 
 
 class Outlook:
@@ -50,9 +52,14 @@ class Outlook:
         self.problems: list[SpiralPocketError] = []
         self.listeners: list[Callable[[], None]] = []
         self.is_on = True
+        self._shapes: dict[Any, Any] = {}  # what was read off the model
         self._is_closed = False
-        self._soon, self._quiet = QtCore.QTimer(), QtCore.QTimer()
-        for timer, slot in ((self._soon, self._look), (self._quiet, self._prove)):
+        self._soon, self._quiet, self._news = (QtCore.QTimer() for _ in range(3))
+        for timer, slot in (
+            (self._soon, self._look),
+            (self._quiet, self._prove),
+            (self._news, self.tell),
+        ):
             timer.setSingleShot(True)
             timer.timeout.connect(slot)
 
@@ -103,29 +110,36 @@ class Outlook:
     @property
     def is_settled(self) -> bool:
         """Return whether nothing more will come without a change."""
-        waits = self._soon.isActive() or self._quiet.isActive()
+        waits = any(t.isActive() for t in (self._soon, self._quiet, self._news))
         return not waits and all(p.is_settled for p in self.pockets)
 
+    def _tell_soon(self) -> None:
+        """Tell the listeners, together with what else comes in a moment."""
+        if not self._news.isActive():
+            self._news.start(TOGETHER)
+
     def _clear(self) -> None:
-        self._soon.stop()
-        self._quiet.stop()
+        for timer in (self._soon, self._quiet, self._news):
+            timer.stop()
         for pocket in self.pockets:
             pocket.close()
         self.pockets, self.problems = [], []
 
     def _look(self) -> None:
         """Foresee the requests; keep the pockets that stayed the same."""
+        if len(self._shapes) > MOST_SHAPES:
+            self._shapes.clear()
         try:
             require_libraries()
             from ..op.foresight import requests_of
 
-            found = requests_of(self._obj) if self._obj.Active else []
+            found = requests_of(self._obj, self._shapes) if self._obj.Active else []
         except SpiralPocketError as error:
             found = [error]
         self.problems = [f for f in found if isinstance(f, SpiralPocketError)]
         old = {p.request: p for p in self.pockets}
         wanted = [f for f in found if isinstance(f, PocketRequest)]
-        self.pockets = [old.pop(r, None) or Pocket(r, self.tell) for r in wanted]
+        self.pockets = [old.pop(r, None) or Pocket(r, self._tell_soon) for r in wanted]
         for pocket in old.values():
             pocket.close()
         for pocket in self.pockets:

@@ -2,26 +2,37 @@
 """The process beside FreeCAD in which pockets are planned; run as a script, not imported.
 
 Standard input brings pickled records one after the other: first FreeCAD's `sys.path`,
-then ``(task, argument)`` pairs. Standard output takes messages, each a length of eight
-bytes and a pickle: ``("ready", versions)`` at the start, then for each task
+then ``(task, argument)`` pairs, each after the last one's end; None in between gives the
+running task up. Standard output takes messages, each a length of eight bytes and a
+pickle: ``("ready", versions)`` at the start, then for each task
 ``("progress", fraction, stage)`` any number of times and at last ``("done", result)``,
 ``("error", error)`` with what the machinist is told, or ``("crash", traceback)``. It ends
-with its input; to stop it, kill it.
+with its input; to stop it at once, kill it.
 """
 
 import os
 import pickle
+import queue
 import struct
 import sys
+import threading
 import time
 import traceback
 
 UPDATE_EVERY = 0.05  # s, at most this often progress is told
 
 
+def receive(inbox):
+    """Put all records into a queue; end the process with its input."""
+    try:
+        while True:
+            inbox.put(pickle.load(sys.stdin.buffer))
+    except EOFError:
+        os._exit(0)
+
+
 def main():
     """Do tasks until there are no more."""
-    inbox = sys.stdin.buffer
     outbox = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # whatever a library prints goes to stderr
 
@@ -30,7 +41,9 @@ def main():
         outbox.write(struct.pack("<Q", len(data)) + data)
         outbox.flush()
 
-    sys.path[:] = pickle.load(inbox)
+    sys.path[:] = pickle.load(sys.stdin.buffer)
+    inbox = queue.Queue()
+    threading.Thread(target=receive, args=(inbox,), daemon=True).start()
     from freecad_spiralpocket.engine.errors import SpiralPocketError
     from freecad_spiralpocket.gui.tasks import Tasks, versions
 
@@ -43,10 +56,13 @@ def main():
         if time.monotonic() - told > UPDATE_EVERY:
             send("progress", fraction, stage)
             told = time.monotonic()
-        return False
+        return not inbox.empty()
 
     while True:
-        name, argument = pickle.load(inbox)
+        record = inbox.get()
+        if record is None:
+            continue  # it came after the task's end
+        name, argument = record
         try:
             send("done", tasks[name](argument, progress))
         except SpiralPocketError as error:

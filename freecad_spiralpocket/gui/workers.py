@@ -2,7 +2,8 @@
 """Work beside the window, one job at a time: in a process, else in a thread.
 
 A process can be ended at any moment, in the middle of a proof too, and leaves all of
-FreeCAD's own Python to the window; so Stop and a newer value work at once. It runs the
+FreeCAD's own Python to the window; so Stop and a newer value work at once. It is asked to
+give up first, as a new one takes a second to start, and killed if it does not. It runs the
 Python interpreter that FreeCAD carries, with FreeCAD's own search path, and is used only
 if it has the same libraries in the same versions: the path must not depend on where it
 was planned. Where there is no such interpreter a thread does the same, stopped at the
@@ -60,6 +61,10 @@ class ProcessWorker:
         """Wait for a message without letting the window do anything else."""
         self._process.waitForReadyRead(milliseconds)
 
+    def give_up(self) -> None:
+        """Ask to give the job up; it is over with its last message all the same."""
+        self._send(None)
+
     def stop(self) -> None:
         """End the process and whatever it does."""
         process, self._listener = self._process, lambda message: None
@@ -106,6 +111,7 @@ class ThreadWorker:
 
     def start(self, task: str, argument: Any) -> None:
         """Begin a job; there must be none."""
+        self._stopped.clear()
         threading.Thread(target=self._work, args=(task, argument), daemon=True).start()
         self._timer.start(POLL_EVERY)
 
@@ -116,6 +122,10 @@ class ThreadWorker:
         except queue.Empty:
             return
         self._deliver()
+
+    def give_up(self) -> None:
+        """Ask to give the job up; it is over with its last message all the same."""
+        self._stopped.set()
 
     def stop(self) -> None:
         """Forget the job; its thread ends at its next question for progress."""

@@ -63,15 +63,24 @@ class Foresight:
         return type(now)(getattr(value, "Value", value))
 
 
-def requests_of(obj: Any) -> list[PocketRequest | SpiralPocketError]:
+def requests_of(
+    obj: Any, known: dict[Any, Any] | None = None
+) -> list[PocketRequest | SpiralPocketError]:
     """Return what the next recompute will ask for, one for each selected face.
+
+    Parameters
+    ----------
+    obj : object
+        The operation.
+    known : dict, optional
+        See `Pockets`.
 
     Raises
     ------
     SpiralPocketError
         If it could not begin: no job, no tool, no face.
     """
-    return [wanted for _, wanted in Pockets(Foresight(obj)).requests()]
+    return [wanted for _, wanted in Pockets(Foresight(obj), known=known).requests()]
 
 
 def _now(obj: Any) -> list[tuple[str, float]]:

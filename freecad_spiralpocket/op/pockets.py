@@ -40,6 +40,9 @@ class Pockets:
         The operation.
     earlier : sequence of Plan
         What may be taken over.
+    known : dict, optional
+        Floors and walls from earlier calls with the same; they are found in it again as long as
+        the model's shape is the same, and new ones are put into it.
 
     Attributes
     ----------
@@ -48,8 +51,11 @@ class Pockets:
         One for each thing that is the matter, naming the pockets that have it.
     """
 
-    def __init__(self, obj: Any, earlier: Sequence[Plan] = ()) -> None:
+    def __init__(
+        self, obj: Any, earlier: Sequence[Plan] = (), known: dict[Any, Any] | None = None
+    ) -> None:
         self._obj = obj
+        self._known = {} if known is None else known
         self._earlier = earlier
         self._notices: list[Notice] = []
         self._failures: dict[str, tuple[SpiralPocketError, list[str]]] = {}
@@ -62,17 +68,16 @@ class Pockets:
         """Return for each selected face its floor and request, or None and what is the matter."""
         floors = [self._floor(*face) for face in self._selected]
         sound = [f for f in floors if isinstance(f, selection.Floor)]
-        neighbors: dict[int, walls.Neighbors] = {}
         found: list[tuple[selection.Floor | None, PocketRequest | SpiralPocketError]] = []
         for floor in floors:
             if isinstance(floor, SpiralPocketError):
                 found.append((None, floor))
                 continue
             key = floor.solid.hashCode()
-            if key not in neighbors:
-                neighbors[key] = walls.neighbors_of(floor.solid)
+            if key not in self._known:
+                self._known[key] = walls.neighbors_of(floor.solid)
             try:
-                found.append((floor, self._request(floor, sound, neighbors[key])))
+                found.append((floor, self._request(floor, sound, self._known[key])))
             except SpiralPocketError as error:
                 found.append((None, error))
         return found
@@ -146,10 +151,13 @@ class Pockets:
 
     def _floor(self, model: Any, name: str) -> selection.Floor | SpiralPocketError:
         """Return the floor that a face is, or why it is none."""
-        try:
-            return selection.floor(model, name)
-        except SpiralPocketError as error:
-            return error
+        key = (model.Name, name, model.Shape.hashCode())
+        if key not in self._known:
+            try:
+                self._known[key] = selection.floor(model, name)
+            except SpiralPocketError as error:
+                return error
+        return self._known[key]
 
     def _request(
         self,
@@ -159,7 +167,12 @@ class Pockets:
     ) -> PocketRequest:
         """Return the request for the pocket above a floor, one of those selected."""
         sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
-        above = walls.Walls(floor, sag, use_outline=self._obj.UseOutline, neighbors=neighbors)
+        key = (id(floor), sag, self._obj.UseOutline)
+        if key not in self._known:
+            self._known[key] = walls.Walls(
+                floor, sag, use_outline=self._obj.UseOutline, neighbors=neighbors
+            )
+        above = self._known[key]
         depth = request.final_depth(self._obj, floor.z, self._deepest)
         wanted = request.build(self._obj, above.outline, depth)
         others = [other for other in floors if other is not floor]
