@@ -108,7 +108,7 @@ class Window:
             field.setProperty("rawValue", value)
         while not self.is_drawn():
             assert time.monotonic() < begin + 60
-            QtCore.QCoreApplication.processEvents(QtCore.QEventLoop.AllEvents, 5)
+            pump(0.004)
         FreeCADGui.updateGui()
         return time.monotonic() - begin
 

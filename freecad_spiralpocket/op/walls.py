@@ -70,6 +70,7 @@ class Walls:
         self._neighbors = neighbors_of(floor.solid) if neighbors is None else neighbors
         self._outline = geometry.polygon(floor, sag, use_outline=use_outline)
         self._free: dict[float, Polygon | None] = {}
+        self._plain: dict[float, bool] = {}
         self._around = list(self._reached())
 
     @property
@@ -80,10 +81,12 @@ class Walls:
     def are_plain(self, top: float) -> bool:
         """Return whether all walls are vertical and rise to Z `top`, or end together below it."""
         rim = min(top, max((f.BoundBox.ZMax for f in self._around), default=top))
-        return all(
-            is_vertical(face) or (is_level(face) and face.BoundBox.ZMin > rim - SAME_HEIGHT)
-            for face in self._around
-        )
+        if rim not in self._plain:
+            self._plain[rim] = all(
+                is_vertical(face) or (is_level(face) and face.BoundBox.ZMin > rim - SAME_HEIGHT)
+                for face in self._around
+            )
+        return self._plain[rim]
 
     def free(self, z: float) -> Polygon | None:
         """Return what is free at Z `z` and above; None where no wall goes all around.
@@ -269,7 +272,7 @@ def _above(triangle: np.ndarray, z: float) -> np.ndarray:
     """Return the corners of the part of a triangle above `z`, shape (n, 3)."""
     corners = []
     for a, b in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
-        if a[2] > z:
+        if a[2] >= z:
             corners.append(a)
         if (a[2] - z) * (b[2] - z) < 0:
             corners.append(a + (b - a) * (z - a[2]) / (b[2] - a[2]))
