@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The extended Archimedean spiral A(c, b): even laps about a point or a curve [EAS07, 2.2].
 
-Its distance to the center c grows by b a turn, evenly along the lap. About a point that is
+Its distance to the center c grows by b a turn, evenly along the first lap and on the
+same rays on all others. About a point that is
 Archimedes' spiral. Lap k lies between the offsets of c at ``w + (k - 1) b`` and
 ``w + k b``; each place of it is on the shortest way between the two, which is b long
 wherever the outer one is. It ends with one turn at constant distance.
@@ -11,7 +12,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 import shapely
@@ -26,8 +26,11 @@ from .strokes import CHORD
 
 #: Curvature is measured over this length to both sides, over R.
 WINDOW = 0.5
-#: Radius of the inside of bends, over R, where the laps' distance exceeds that of the center.
+#: Radius of the last lap on the inside of bends that are tighter than its distance, over R.
 ROUNDING = 0.5
+#: On the laps before it is larger by b each, so that they stay b apart there too, unless that
+#: takes the first lap this far off its distance, over b.
+FILLED = 0.3
 #: Jumps of the shortest way between two laps are smoothed over this length [mm].
 SMOOTHING = 1.0
 #: Chords of a lap keep within this [mm].
@@ -53,42 +56,36 @@ class Spiral:
         """Return the offsets as closed lines, counter-clockwise."""
         return [LineString(p.exterior.coords) for p in self.within]
 
-    def unwound(self, start: float) -> Floats:
+    def unwound(self, start: float) -> tuple[Floats, float]:
         """Return the spiral from the first ring, at `start` [mm] along it, to the last.
 
         Returns
         -------
-        ndarray of shape (n, 2)
+        points : ndarray of shape (n, 2)
+        end : float
+            Where along the last ring it ends [mm].
         """
-        rings = self.rings
-        here = points_at(rings[0], np.array([start]))
-        pieces = [here]
-        for inner, outer in pairwise(rings):
-            begin = float(outer.project(shapely.Point(here[0])))
-            count = _count(outer)
-            share = np.arange(1, count + 1) / count
-            onto = points_at(outer, (begin + share * outer.length) % outer.length)
-            foot = points_at(inner, _feet(inner, onto, outer.length / count))
+        inner, at = self.rings[0], start
+        pieces = [points_at(inner, np.array([start]))]
+        # how far round, in [0, 1], from the start to places along the ring
+        along, share = np.array([0.0, inner.length]), np.array([0.0, 1.0])
+        for outer in self.rings[1:]:
+            begin = float(outer.project(shapely.Point(points_at(inner, np.array([at]))[0])))
+            ahead = _steps(outer)
+            onto = points_at(outer, (begin + ahead) % outer.length)
+            feet = _feet(inner, onto, float(ahead[0]))
+            foot = points_at(inner, feet % inner.length)
+            # a ray has the same share on all laps, so that they stay b apart
+            share = np.interp(feet - feet[-1] + inner.length, along, share)
             pieces.append(foot + share[:, None] * (onto - foot))
-            here = onto[-1:]
-        last = rings[-1]
-        begin = float(last.project(shapely.Point(here[0])))
-        count = _count(last)
-        share = np.arange(1, count + 1) / count
-        pieces.append(points_at(last, (begin + share * last.length) % last.length))
-        return np.vstack(pieces)
-
-    def end_of(self, start: float) -> float:
-        """Return where along the last ring the spiral ends that begins at `start` [mm]."""
-        rings = self.rings
-        here = points_at(rings[0], np.array([start]))[0]
-        for ring in rings[1:]:
-            here = points_at(ring, np.array([ring.project(shapely.Point(here))]))[0]
-        return float(rings[-1].project(shapely.Point(here)))
+            inner, at = outer, begin
+            along, share = np.append(0.0, ahead), np.append(0.0, share)
+        pieces.append(points_at(inner, (at + _steps(inner)) % inner.length))
+        return np.vstack(pieces), at
 
 
 def _feet(ring: LineString, points: Floats, spacing: float) -> Floats:
-    """Return where on a closed line points around it have their feet, never going back [mm].
+    """Return where along a closed line points around it have their feet, never going back [mm].
 
     On the inside of a bend that is tighter than the points' distance the nearest places run
     back and jump: they wait and are smoothed instead.
@@ -100,13 +97,14 @@ def _feet(ring: LineString, points: Floats, spacing: float) -> Floats:
     # once round and a little more at both ends, so that they meet
     thrice = np.concatenate([ahead - ring.length, ahead, ahead + ring.length])
     thrice = gaussian_filter1d(np.maximum.accumulate(thrice), SMOOTHING / spacing)
-    return np.asarray(thrice[len(points) : 2 * len(points)] % ring.length)
+    return np.asarray(thrice[len(points) : 2 * len(points)])
 
 
-def _count(ring: LineString) -> int:
-    """Return the number of points of a lap: chords of a circle as long keep within `SAG`."""
+def _steps(ring: LineString) -> Floats:
+    """Return lengths along a lap, to its end: chords of a circle as long keep within `SAG`."""
     chord = min(CHORD, math.sqrt(8 * SAG * ring.length / (2 * math.pi)))
-    return max(16, math.ceil(ring.length / chord))
+    count = max(16, math.ceil(ring.length / chord))
+    return ring.length * np.arange(1, count + 1) / count
 
 
 def spiral_about(center: Center, half_width: float, stepover: float, radius: float) -> Spiral:
@@ -120,12 +118,21 @@ def spiral_about(center: Center, half_width: float, stepover: float, radius: flo
     stepover, radius : float
         b and R [mm].
     """
-    rounding = ROUNDING * radius
-    shapes = [
-        oriented(buffer(buffer(center.curve, half_width + k * stepover + rounding), -rounding))
-        for k in range(center.laps + 1)
-    ]
-    return Spiral(center, tuple(Polygon(s.exterior) for s in shapes))
+    curve, least = center.curve, ROUNDING * radius
+    for wide in range(center.laps, -1, -1):
+        bends = [least + min(center.laps - k, wide) * stepover for k in range(center.laps + 1)]
+        first = _offset(curve, half_width, bends[0])
+        outside = shapely.points(first.exterior.coords)
+        if shapely.dwithin(curve, outside, half_width + FILLED * stepover).all():
+            break
+    rest = [_offset(curve, half_width + k * stepover, b) for k, b in enumerate(bends) if k > 0]
+    return Spiral(center, (first, *rest))
+
+
+def _offset(curve: shapely.Geometry, distance: float, bend: float) -> Polygon:
+    """Return what lies within an offset, reentrant bends at least of a radius [mm]."""
+    shape = oriented(buffer(buffer(curve, distance + bend), -bend))
+    return Polygon(shape.exterior)
 
 
 def bend_at(ring: LineString, at: float, radius: float) -> tuple[Floats, float, float]:

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from scipy.ndimage import gaussian_filter1d
+from scipy.spatial import cKDTree
 
 from .model import Floats
 from .polyline import points_at
@@ -83,13 +84,14 @@ def walk_round(
     mask = np.array([tuple(sorted(edge)) in kept for edge in axis.edges.tolist()])
     middles = axis.nodes[axis.edges[mask]].mean(axis=1)
     middles, places = np.repeat(middles, 2, axis=0), axis.walls[mask].reshape(-1, 2)
-    along = shapely.line_locate_point(line, shapely.points(places))
+    count = max(16, int(np.ceil(line.length / SPACING)))
+    even = np.arange(count) * line.length / count
+    along = even[cKDTree(points_at(line, even)).query(places)[1]]
     # one place may have several edges: they follow each other as they lie along the wall
     ahead = points_at(line, (along + SPACING) % line.length) - points_at(line, along)
     order = np.lexsort((((middles - places) * ahead).sum(axis=1), np.round(along, 6)))
     along, middles = along[order], middles[order]
-    count = max(16, int(np.ceil(line.length / SPACING)))
-    stations = np.union1d(np.arange(count) * line.length / count, along % line.length)
+    stations = np.union1d(even, along)
     walk = np.column_stack(
         [np.interp(stations, along, middles[:, i], period=line.length) for i in (0, 1)]
     )

@@ -168,14 +168,14 @@ def _linked(
     ring, at = start.ring, 0.0
     for spiral, strokes in zip(spirals, freed, strict=True):
         link, clothoids, begin = _way_to(spiral, ring, at, cleared, fence, request)
-        points = spiral.unwound(begin)
+        points, end = spiral.unwound(begin)
         if link is not None and len(link) == 0:
             points = _from(points_at(ring, np.array([at]))[0], points)
         steps.append(Step(link, points, -1))
         links.append(clothoids)
         for stroke in strokes:
             cleared.finish(stroke)
-        ring, at = spiral.rings[-1], spiral.end_of(begin)
+        ring, at = spiral.rings[-1], end
     if steps:
         # away from the stock, as the links between spirals begin
         tail = turn_away(Place(*bend_at(ring, at, request.cutter_radius)), request.cutter_radius)
@@ -238,7 +238,7 @@ def _beginning(spiral: Spiral, at: float, radius: float) -> Place:
     """Return where a spiral that begins at `at` on its first ring leaves that."""
     point, heading, curvature = bend_at(spiral.rings[0], at, radius)
     step = spiral.within[1].exterior.distance(shapely.Point(point))
-    return Place(point, heading - float(np.arctan2(step, spiral.rings[1].length)), curvature)
+    return Place(point, heading - float(np.arctan2(step, spiral.rings[0].length)), curvature)
 
 
 def _ahead(place: Place) -> Floats:

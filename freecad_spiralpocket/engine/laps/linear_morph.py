@@ -29,11 +29,10 @@ import shapely
 from shapely import Polygon
 
 from ..errors import NotYetError
-from ..floor import FloorPath, Helix, Pass, Slot
+from ..floor import FloorPath, Helix, Slot
 from ..inner_curves import Spine, axis_spines, is_compact, point_spine
-from ..linking import leave_wall
 from ..model import Floats, PocketRequest, Tick
-from ..polyline import ring_from, simplified
+from ..polyline import ring_from
 from ..region import grow, polygons_of
 from ..splines import (
     join_c2,
@@ -43,7 +42,7 @@ from ..splines import (
     sample_beziers,
 )
 from ..starts import leaves_no_post, slot_bite
-from ..toolpath import Role
+from .closing import closing_passes
 
 #: Fillet radius of the rounded wall over the step-over at first; halved while it takes more than
 #: `DEEPEST` off a corner, or anything off a neck.
@@ -110,13 +109,8 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     curve = join_c2(beziers, np.append(all_breaks, 1.0))
     slack = request.tolerance / 2
     spiral = sample_beziers(beziers, slack)
-    if request.cutting.finishing_lap:
-        wall = ring_from(np.array(region.exterior.coords)[:-1], spiral[-1])
-        lap = simplified(wall, slack)
-    else:
-        lap = sample_beziers(periodic_beziers(morph.breaks, morph.outer), slack)
-    leave = leave_wall(lap, region, request.cutter_radius)
-    passes = (Pass(spiral, Role.CUT), Pass(lap, Role.FINISH), Pass(leave, Role.LINK))
+    rounded = sample_beziers(periodic_beziers(morph.breaks, morph.outer), slack)
+    passes = closing_passes(spiral, rounded, region, request)
     return FloorPath(_entry(morph, request), passes, curve)
 
 
@@ -226,6 +220,7 @@ def rounded_wall(region: Polygon, spine: Spine, stepover: float) -> Floats:
     corners = shapely.points(np.array(region.exterior.coords))
     for _ in range(HALVINGS):
         rounded = polygons_of(grow(grow(region, -fillet - INSET), fillet))[0]
+        shapely.prepare(rounded)
         if shapely.dwithin(rounded, corners, DEEPEST * stepover + INSET).all():
             break
         fillet /= 2
