@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts, jobs and document snapshots for the tests that run inside FreeCAD."""
 
+import math
 import re
 
 import FreeCAD
@@ -148,3 +149,46 @@ def snapshot(doc):
         result[obj.Name, "(expressions)"] = str(obj.ExpressionEngine)
         result[obj.Name, "(state)"] = str(obj.State)
     return result
+
+
+def slanted_block(angles=(10, 15, 20, 30), depth=18.0, width=100.0, height=60.0, radius=10.0):
+    """Return a block with a pocket whose walls open upwards (Chatelain et al. 2008, figure 19).
+
+    Parameters
+    ----------
+    angles : sequence of float
+        Of the walls at low X, high X, low Y and high Y to the vertical [deg]; negative ones lean
+        over the floor.
+    depth, width, height, radius : float
+        Of the pocket, its floor and its corners [mm]; the top is at Z0, the floor's corner at
+        X0 Y0.
+    """
+    left, right, front, back = (depth * math.tan(math.radians(a)) for a in angles)
+    floor = rectangle(width, height, radius)
+    floor.translate(Vector(0, 0, -depth))
+    mouth = rectangle(width + left + right, height + front + back, radius, -left, -front)
+    pocket = Part.makeLoft([floor, mouth], True, True)
+    box = pocket.BoundBox
+    corner = Vector(box.XMin - 12, box.YMin - 12, -depth - 4)
+    return Part.makeBox(box.XLength + 24, box.YLength + 24, depth + 4, corner).cut(pocket)
+
+
+def with_island(shape, low, high=0.0, x=50.0, y=30.0, radii=(12.0, 7.0)):
+    """Return `shape` with a cone from Z `low` to `high` fused to it."""
+    return shape.fuse(Part.makeCone(*radii, high - low, Vector(x, y, low))).removeSplitter()
+
+
+def filleted_foot(shape, z, radius):
+    """Return `shape` with its floor at `z` joined to the walls by fillets."""
+    name = faces_at(shape, z)[0]
+    return shape.makeFillet(radius, shape.getElement(name).OuterWire.Edges)
+
+
+def stepped_block(low=(40.0, 24.0), high=(64.0, 44.0), ledge=-4.0, depth=DEPTH):
+    """Return a block with a pocket that widens on a ledge all around."""
+    wide = area(rectangle(*high, 6, -high[0] / 2, -high[1] / 2))
+    narrow = area(rectangle(*low, 5, -low[0] / 2, -low[1] / 2))
+    narrow.translate(Vector(0, 0, -depth))
+    return block(wide, depth=-ledge, below=depth + ledge + 4).cut(
+        narrow.extrude(Vector(0, 0, depth))
+    )

@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Walls that are not vertical: each level goes as far as they let it, and no farther.
+
+Chatelain et al. 2008, section 3.2, figures 19 and 20: a floor of 100 x 60 mm, corners of
+10 mm, walls of 10 to 30 degrees. Checked on the commands against the solid itself.
+"""
+
+import math
+
+import numpy as np
+import Part
+import pytest
+from FreeCAD import Vector
+from sample_parts import (
+    DEPTH,
+    add_job,
+    add_part,
+    area,
+    block,
+    circle,
+    faces_at,
+    filleted_foot,
+    gcode,
+    motion,
+    rectangle,
+    slanted_block,
+    stepped_block,
+    with_island,
+)
+from solid_oracle import Stock, Surface, gouges, places
+
+from freecad_spiralpocket import api
+from freecad_spiralpocket.op import operation
+
+#: Deepest gouge that may be, into the solid's true surface [mm].
+GOUGE = 0.01
+DEEP = 12.0
+TOOL = 16.0
+#: Around rasters [mm]: no pixel lies exactly on a wall.
+MARGIN = 1.03
+#: What stands between the places where the cutter is looked at [mm].
+SCALLOP = 0.02
+
+
+def cut(doc, shape, z, index=0, diameter=TOOL, **options):
+    """Return an operation on the floor at `z` of a new part."""
+    part = add_part(doc, shape)
+    job = add_job(doc, part, diameter=diameter)
+    return api.add_spiral_pocket(job, [(part, [faces_at(shape, z)[index]])], **options)
+
+
+def levels(op):
+    (plan,) = op.Proxy.plans
+    return [round(section.z, 6) for section in plan.request.sections]
+
+
+def gouges_of(op, shape, step=1.5):
+    radius = op.OpToolDiameter.Value / 2
+    return gouges(Surface(shape), places(motion(op), step), radius, GOUGE)
+
+
+PARTS = {
+    "slanted": lambda: (slanted_block(depth=DEEP), -DEEP, 4.0),
+    "island": lambda: (with_island(slanted_block(depth=DEEP), -DEEP), -DEEP, 4.0),
+    "one deep level": lambda: (slanted_block(depth=DEEP), -DEEP, 2 * DEEP),
+    "fillet": lambda: (filleted_foot(block(area(rectangle(44, 32, 9))), -DEPTH, 2.0), -DEPTH, 2.0),
+    "ledge": lambda: (stepped_block(), -DEPTH, 3.0),
+}
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_nothing_is_gouged_and_only_the_declared_steps_stay(doc, name, record_property):
+    shape, z, step_down = PARTS[name]()
+    op = cut(doc, shape, z, StepDown=step_down, diameter=TOOL if z == -DEEP else 8.0)
+    (plan,) = op.Proxy.plans
+    report, radius = plan.report, op.OpToolDiameter.Value / 2
+    surface, centers = Surface(shape), places(motion(op), 0.5)
+    assert len(gouges(surface, centers[::3], radius, GOUGE)) == 0
+    x0, y0, x1, y1 = (plan.request.sections[0].mouth or plan.request.pocket).bounds
+    stock = Stock(surface, (x0 - MARGIN, y0 - MARGIN, x1 + MARGIN, y1 + MARGIN), 0.7)
+    stock.cut(centers, radius + SCALLOP)
+    left = float(stock.left[stock.part < -0.01].max())
+    tops = [0.0, *levels(op)[:-1]]
+    width = max(stock.width_left(top - 0.02) for top in tops)
+    record_property(
+        "steps",
+        f"{report.step_width:.2f} x {report.step_height:.2f} mm declared, "
+        f"{width:.2f} x {left:.2f} mm left",
+    )
+    assert left <= report.step_height + 0.05
+    assert width <= report.step_width + 1.5 * stock.pixel
+    assert report.uncut_area < 0.05 and report.gouge <= op.Tolerance.Value
+    assert report.rapid_hit == report.link_hit == 0.0
+    told = [notice for notice in op.Notices if "keep steps" in notice]
+    assert len(told) == (report.step_width > 0)
+
+
+def test_each_level_follows_the_slopes(doc):
+    angles = (10, 15, 20, 30)
+    op = cut(doc, slanted_block(angles, DEEP), -DEEP, StepDown=4.0)
+    (plan,) = op.Proxy.plans
+    assert levels(op) == [-4.0, -8.0, -12.0]
+    for section in plan.request.sections:
+        left, right, front, back = ((section.z + DEEP) * math.tan(math.radians(a)) for a in angles)
+        wanted = (-left, -front, 100 + right, 60 + back)
+        assert section.pocket.bounds == pytest.approx(wanted, abs=0.002)
+
+
+@pytest.mark.parametrize("strategy", ["Automatic", "Linear Morph"])
+def test_smaller_steps_down_leave_smaller_steps(doc, strategy):
+    shape = slanted_block((20, 20, 20, 20), DEPTH, 40.0, 30.0, 6.0)
+    part = add_part(doc, shape)
+    job = add_job(doc, part)
+    widths = []
+    for step_down in (DEPTH, DEPTH / 3):
+        op = api.add_spiral_pocket(
+            job, [(part, faces_at(shape, -DEPTH))], StepDown=step_down, Strategy=strategy
+        )
+        widths.append(op.Proxy.plans[0].report.step_width)
+        assert len(gouges_of(op, shape)) == 0
+    # a corner recedes by both walls at once
+    slope = math.tan(math.radians(20))
+    assert widths[0] == pytest.approx(3 * widths[1], rel=0.02)
+    assert DEPTH * slope < widths[0] < 1.01 * math.sqrt(2) * DEPTH * slope
+
+
+def test_levels_end_on_ledges_and_low_islands(doc):
+    shape = with_island(stepped_block(), -DEPTH, -2.5, 0.0, 0.0, (6.0, 5.0))
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=3.0)
+    assert levels(op) == [-2.5, -4.0, -6.0]
+    assert len(gouges_of(op, shape)) == 0
+    heights = Stock(Surface(shape), (-31, -21, 31, 21), 0.5)
+    heights.cut(places(motion(op), 0.5), 3.0)
+    inside = heights.left[2:-2, 2:-2]
+    assert inside[heights.part[2:-2, 2:-2] == -4.0].max() < 0.01
+
+
+def test_a_ledge_that_is_selected_too_is_left_to_its_own_pocket(doc):
+    shape = stepped_block()
+    part = add_part(doc, shape)
+    job = add_job(doc, part)
+    both = [(part, [faces_at(shape, -DEPTH)[0], faces_at(shape, -4.0)[0]])]
+    op = api.add_spiral_pocket(job, both, StepDown=3.0)
+    deep, ledge = sorted(op.Proxy.plans, key=lambda plan: plan.request.floor)
+    assert not deep.request.sections and not ledge.request.sections
+    assert deep.request.pocket.area < ledge.request.pocket.area
+
+
+def test_vertical_walls_keep_their_path(doc, monkeypatch):
+    shape = block(area(rectangle(50, 36, 6), circle(5, 25, 18)))
+    part = add_part(doc, shape)
+    job = add_job(doc, part)
+    base = [(part, faces_at(shape, -DEPTH))]
+    sliced = gcode(api.add_spiral_pocket(job, base, StepDown=2.5))
+    monkeypatch.setattr("freecad_spiralpocket.op.sections.fitted", lambda wanted, *_: wanted)
+    assert gcode(api.add_spiral_pocket(job, base, StepDown=2.5)) == sliced
+
+
+def test_walls_leaning_over_the_floor_are_kept_clear_of(doc):
+    shape = slanted_block((10, -12, 10, 10), DEPTH, 50.0, 36.0, 6.0)
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0)
+    assert len(gouges_of(op, shape)) == 0
+    lean = DEPTH * math.tan(math.radians(12))
+    for section in op.Proxy.plans[0].request.sections:
+        assert section.pocket.bounds[2] == pytest.approx(50 - lean, abs=0.01)
+    assert any("lean over the floor" in notice for notice in op.Notices)
+
+
+def test_an_overhung_floor_is_refused_with_the_reason(doc):
+    shape = slanted_block((-60, -60, -60, -60), DEPTH, 24.0, 24.0, 1.0)
+    part = add_part(doc, shape)
+    job = add_job(doc, part, diameter=6.0)
+    op = operation.Create("Op", parentJob=job)
+    op.Base = [(job.Model.Group[0], faces_at(shape, -DEPTH))]
+    doc.recompute()
+    (error,) = op.Proxy.errors
+    assert "cutter" in error.message
+
+
+def test_a_hole_drilled_across_a_wall_is_no_way_under_it(doc):
+    shape = block(area(rectangle(50, 36, 6)))
+    across = Part.makeCylinder(4, 30, Vector(45, 18, -DEPTH / 2), Vector(1, 0, 0))
+    shape = shape.cut(across)
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=1.0)
+    assert len(gouges_of(op, shape)) == 0
+    for section in op.Proxy.plans[0].request.sections:
+        assert section.pocket.bounds[2] < 50.01
+
+
+def test_a_bridge_over_the_pocket_is_kept_clear_of(doc):
+    shape = block(area(rectangle(60, 30, 5)))
+    shape = shape.fuse(Part.makeBox(8, 40, 2, Vector(40, -5, -3))).removeSplitter()
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0)
+    assert len(gouges_of(op, shape)) == 0
+
+
+def test_holes_in_the_floor_are_no_islands(doc):
+    shape = slanted_block((20, 20, 20, 20), DEPTH, 40.0, 30.0, 6.0)
+    shape = shape.cut(Part.makeCylinder(3, 40, Vector(20, 15, -30)))
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0)
+    assert all(not section.pocket.interiors for section in op.Proxy.plans[0].request.sections)
+
+
+def test_a_slanted_pocket_open_at_a_side_stays_within_its_floor(doc):
+    shape = slanted_block((20, 20, 20, 20), DEPTH, 40.0, 30.0, 6.0)
+    shape = shape.cut(Part.makeBox(40, 60, 40, Vector(30, -15, -30)))
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0)
+    (plan,) = op.Proxy.plans
+    assert plan.request.pocket.bounds == pytest.approx((0, 0, 30, 30), abs=0.01)
+    assert any("open at a side" in notice for notice in op.Notices)
+    assert len(gouges_of(op, shape)) == 0
+
+
+def test_stock_above_the_part_is_cut_in_the_shape_of_the_rim(doc):
+    shape = slanted_block((20, 20, 20, 20), DEPTH, 40.0, 30.0, 6.0)
+    part = add_part(doc, shape)
+    job = add_job(doc, part)
+    job.Stock.ExtZpos = 3.0
+    doc.recompute()
+    op = api.add_spiral_pocket(job, [(part, faces_at(shape, -DEPTH))], StepDown=2.0)
+    tops = [s.pocket.area for s in op.Proxy.plans[0].request.sections if s.z > -0.5]
+    rim = (40 + 2 * DEPTH * math.tan(math.radians(20))) * (
+        30 + 2 * DEPTH * math.tan(math.radians(20))
+    )
+    assert len(tops) >= 1 and np.ptp(tops) < 0.01
+    assert tops[0] == pytest.approx(rim - (4 - math.pi) * 6**2, rel=1e-3)
