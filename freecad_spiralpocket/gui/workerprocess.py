@@ -19,7 +19,7 @@ import threading
 import time
 import traceback
 
-UPDATE_EVERY = 0.05  # s, at most this often progress is told
+UPDATE_EVERY = 0.05  # s, at most this often progress within a stage is told
 
 
 def receive(inbox):
@@ -49,13 +49,13 @@ def main():
 
     tasks = Tasks()
     send("ready", versions())
-    told = 0.0
+    told, last = 0.0, ""
 
     def progress(fraction, stage):
-        nonlocal told
-        if time.monotonic() - told > UPDATE_EVERY:
+        nonlocal told, last
+        if stage != last or time.monotonic() - told > UPDATE_EVERY:
             send("progress", fraction, stage)
-            told = time.monotonic()
+            told, last = time.monotonic(), stage
         return not inbox.empty()
 
     while True:
