@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from scipy.ndimage import gaussian_filter1d
+from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
 from .coverable import Center
@@ -33,6 +34,8 @@ ROUNDING = 0.5
 FILLED = 0.3
 #: Jumps of the shortest way between two laps are smoothed over this length [mm].
 SMOOTHING = 1.0
+#: It is sought among places this far apart [mm].
+FINE = 0.1
 #: Chords of a lap keep within this [mm].
 SAG = 0.003
 
@@ -90,7 +93,8 @@ def _feet(ring: LineString, points: Floats, spacing: float) -> Floats:
     On the inside of a bend that is tighter than the points' distance the nearest places run
     back and jump: they wait and are smoothed instead.
     """
-    feet = shapely.line_locate_point(ring, shapely.points(points))
+    even = np.arange(0.0, ring.length, FINE)
+    feet = even[cKDTree(points_at(ring, even)).query(points)[1]]
     steps = np.diff(feet, prepend=feet[-1])
     steps = (steps + ring.length / 2) % ring.length - ring.length / 2
     ahead = feet[-1] - ring.length + np.cumsum(steps)

@@ -14,7 +14,6 @@ middle instead of one along a diagonal.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -107,7 +106,8 @@ def _offsets(axis: Skeleton, half_width: float, stepover: float) -> Floats:
     most = float(axis.clearance.max())
     laps = np.arange(int(max(0.0, most - half_width) / stepover + 1e-9), -1, -1)
     offsets = np.concatenate([half_width + laps * stepover, half_width * np.array(NARROW[::-1])])
-    return offsets[offsets < most]
+    below = offsets[offsets < most]
+    return below if len(below) else np.array([0.5 * most])
 
 
 def _maximal(
@@ -116,36 +116,36 @@ def _maximal(
     """Return the nodes along the piece that covers most, and the height of its slice."""
     best, most = None, 0.0
     for offset in offsets:
-        for nodes, edges, total in _parts(axis, left & (axis.clearance >= offset)):
-            # no path in it is longer than all of it
-            if 2 * offset * total + np.pi * offset**2 <= most:
-                continue
-            path = longest_route(axis, edges) if len(edges) else nodes[:1]
-            area = 2 * offset * _length(axis.nodes[path]) + np.pi * offset**2
+        disc = np.pi * offset**2
+        mask = left & (axis.clearance >= offset)
+        edges = axis.edges[mask[axis.edges].all(axis=1)]
+        label, totals = _parts(axis, edges)
+        # no path in a part is longer than all of it
+        bounds = np.where(np.bincount(label, mask) > 0, 2 * offset * totals + disc, 0.0)
+        for part in np.argsort(-bounds, kind="stable").tolist():
+            if bounds[part] <= most:
+                break
+            own = edges[label[edges[:, 0]] == part]
+            path = longest_route(axis, own)
+            if len(path) == 0:
+                path = np.flatnonzero(mask & (label == part))[:1]
+            area = 2 * offset * _length(axis.nodes[path]) + disc
             if area > most:
                 best, most = (path, float(offset)), area
     return best
 
 
-def _parts(
-    axis: Skeleton, mask: NDArray[np.bool_]
-) -> Iterator[tuple[NDArray[np.intp], NDArray[np.intp], float]]:
-    """Yield nodes, edges and length [mm] of each connected part of the axis within `mask`."""
+def _parts(axis: Skeleton, edges: NDArray[np.intp]) -> tuple[NDArray[np.int32], Floats]:
+    """Return in which connected part each node is, and the length of each part [mm]."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    edges = axis.edges[mask[axis.edges].all(axis=1)]
-    n = len(mask)
+    n = len(axis.nodes)
     graph = coo_array((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(n, n))
     _, label = connected_components(graph.tocsr(), directed=False)
     steps = np.hypot(*(axis.nodes[edges[:, 0]] - axis.nodes[edges[:, 1]]).T)
     totals = np.bincount(label[edges[:, 0]], steps, minlength=int(label.max()) + 1)
-    for part in np.unique(label[mask]):
-        yield (
-            np.flatnonzero(mask & (label == part)),
-            edges[label[edges[:, 0]] == part],
-            float(totals[part]),
-        )
+    return label, totals.astype(float)
 
 
 def _center(

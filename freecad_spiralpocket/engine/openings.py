@@ -74,14 +74,15 @@ def open_centers(region: Polygon, axis: Skeleton, request: PocketRequest) -> Ope
             shapes = [buffer(c.curve, half) for c in centers]
             ways = buffer(_ways(axis, centers, joints), JOINT * request.tool_diameter)
             start = slot_round(region, shapely.union_all([*shapes, ways]), request)
-            if start is not None and _opens(start, shapes):
+            if start is not None and _opens(start, shapes, region):
                 return Opening(start, tuple(centers), half, tuple(joints))
     return _open_point(region, axis, request)
 
 
-def _opens(start: Start, shapes: list[Polygon]) -> bool:
-    """Return whether a start opens all of some shapes, but for rounding."""
-    return bool(start.visited.buffer(ROUNDING).covers(shapely.union_all(shapes)))
+def _opens(start: Start, shapes: list[Polygon], region: Polygon) -> bool:
+    """Return whether a start opens all of some shapes within a region, but for rounding."""
+    wanted = shapely.intersection(shapely.union_all(shapes), region)
+    return bool(start.visited.buffer(ROUNDING).covers(wanted))
 
 
 def _ways(axis: Skeleton, centers: list[Center], joints: list[Joint]) -> shapely.Geometry:
