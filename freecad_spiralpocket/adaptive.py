@@ -141,7 +141,8 @@ def _move(
     z = bottom if motion in (0, 1) else request.heights.clearance
     if motion == 0:
         builder.line((*builder.here[:2], z), feeds.vertical, Role.CUT)
-        builder.polyline(points, z, feeds.horizontal, Role.CUT)
+        for x, y in points:
+            builder.line((x, y, z), feeds.horizontal, Role.CUT)
         return
     builder.rapid(feeds.vertical_rapid, z=z)
     for x, y in points:

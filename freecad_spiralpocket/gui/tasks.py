@@ -8,8 +8,10 @@ engine is loaded by the first task: without shapely the window opens all the sam
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -75,13 +77,22 @@ class Tasks:
         return Drawn(made, trace_of(made), areas_of(made))
 
 
+def newest_source() -> float:
+    """Return when the newest of the add-on's files was written [s]."""
+    folder = Path(__file__).resolve().parents[1]
+    return max(path.stat().st_mtime for path in folder.rglob("*.py"))
+
+
+#: As it was when this was loaded: an update while FreeCAD runs must not mix old and new records.
+LOADED = newest_source()
+
+
 def versions() -> tuple[str, ...]:
     """Return what must be the same here and in FreeCAD for the same path to come out."""
-    import sys
-
     import numpy
     import scipy
     import shapely
 
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
-    return python, numpy.__version__, scipy.__version__, shapely.__version__
+    libraries = (module.__version__ for module in (numpy, scipy, shapely))
+    return python, *libraries, str(LOADED)
