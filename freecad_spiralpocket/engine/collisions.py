@@ -24,10 +24,21 @@ RINGS, RING_POINTS = (1.0, 0.75, 0.5, 0.25, 0.0), 72
 
 @dataclass(frozen=True, slots=True)
 class Hit:
-    """Moves through stock: their length there [mm] and the worst place, (x, y) [mm]."""
+    """Moves through stock.
+
+    Attributes
+    ----------
+    length : float
+        Of motion there [mm].
+    place : tuple of float or None
+        The worst one, (x, y) [mm].
+    moves : frozenset of int
+        Their numbers in the toolpath.
+    """
 
     length: float
     place: tuple[float, float] | None
+    moves: frozenset[int] = frozenset()
 
 
 def hits_along(engagement: Engagement, chosen: NDArray[np.bool_], slack: float) -> Hit:
@@ -37,7 +48,8 @@ def hits_along(engagement: Engagement, chosen: NDArray[np.bool_], slack: float) 
         return Hit(0.0, None)
     worst = through[np.argmax(engagement.radial_depths[through])]
     x, y = engagement.points[worst, :2]
-    return Hit(float(engagement.lengths[through].sum()), (float(x), float(y)))
+    moves = frozenset(engagement.moves[through].tolist())
+    return Hit(float(engagement.lengths[through].sum()), (float(x), float(y)), moves)
 
 
 def rapid_plunges(pieces: Pieces, cutter_radius: float, slack: float) -> Hit:
@@ -51,12 +63,13 @@ def rapid_plunges(pieces: Pieces, cutter_radius: float, slack: float) -> Hit:
     """
     down = pieces.rapid & (pieces.lengths == 0) & (pieces.bottoms[:, 1] < pieces.bottoms[:, 0])
     disc = disc_points(cutter_radius - slack)
-    length, place = 0.0, None
+    length, place, moves = 0.0, None, set()
     for i in np.flatnonzero(down):
         if not _is_cleared(pieces, int(i), disc, cutter_radius):
             length += float(pieces.bottoms[i, 0] - pieces.bottoms[i, 1])
             place = place or (float(pieces.ends[i, 0]), float(pieces.ends[i, 1]))
-    return Hit(length, place)
+            moves.add(int(pieces.moves[i]))
+    return Hit(length, place, frozenset(moves))
 
 
 def disc_points(radius: float) -> Floats:

@@ -318,6 +318,10 @@ class Report:
     gouge : float
         How far the cutter's edge passes the wall (less the stock to leave) or the floor
         [mm], 0 or more.
+    gouge_place : tuple of float or None
+        Where the cutter's center is then, (x, y) [mm].
+    hit_moves : frozenset of int
+        Moves of rapids and links that touch standing stock.
     step_width, step_height : float
         Of the largest steps that stay on slanted walls between the levels [mm]; 0 for none.
     notices : tuple of Notice
@@ -339,6 +343,8 @@ class Report:
     engagement_moves: NDArray[np.int64]
     uncut: MultiPolygon
     gouge: float
+    gouge_place: tuple[float, float] | None = None
+    hit_moves: frozenset[int] = frozenset()
     step_width: float = 0.0
     step_height: float = 0.0
     notices: tuple[Notice, ...] = ()

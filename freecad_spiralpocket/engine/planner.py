@@ -2,7 +2,7 @@
 """The whole way from a request to a proved plan, as a page of named stages.
 
 check -> levels -> rooms, the cutter-center regions of each level -> a floor path
-for each -> entry, lifts -> feeds -> proof. Strategies only know climb milling:
+for each -> entry, lifts -> feeds -> proof -> repair. Strategies only know climb milling:
 for conventional milling the regions are mirrored before, and what came of them
 after.
 """
@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from shapely import Polygon
@@ -37,14 +38,12 @@ from .model import (
     Tick,
 )
 from .rendering import Cut, render
+from .repair import Proved, badness, repaired
 from .rooms import Room, rooms_of
-from .stations import ends_of, stations_of
+from .stations import ends_of, moves_at, stations_of
 from .timing import time_of
 from .toolpath import Toolpath
 from .verify import prove
-
-#: A path that gouges deeper than the tolerance and this is not handed out [mm].
-GOUGE_SLACK = 0.005
 
 _STRATEGIES: dict[Strategy, Callable[[Polygon, PocketRequest, Tick], FloorPath]] = {
     Strategy.AUTOMATIC: automatic.floor_path,
@@ -81,25 +80,66 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     rooms, notices = rooms_of(levels_of(request), request.cutter_radius, stock)
 
     cuts, uncut = _cuts(rooms, request, progress)
-    toolpath = render(cuts, request)
-    curves = _curves(cuts)
-    if request.cutting.cut_mode is CutMode.CONVENTIONAL:
-        toolpath, curves = toolpath.mirrored(), tuple(_mirrored_curve(c) for c in curves)
-
-    _tell(progress, 0.7, "Planning feeds")
-    toolpath, engagement = _with_feeds(toolpath, request)
-    _tell(progress, 0.8, "Proving the path")
-    report = prove(request, toolpath, engagement)
-    if report.gouge > request.tolerance + GOUGE_SLACK:
-        raise ProofError(
-            f"The path was made, but would cut {report.gouge:.3f} mm into the wall; it is not "
-            "handed out.",
-            "Try another step-over or strategy, and please report this pocket.",
-        )
+    proved = _proved(cuts, request, progress)
+    proved = repaired(
+        proved,
+        request,
+        partial(_proved, request=request, progress=progress),
+        partial(_planned_again, progress=progress),
+    )
+    toolpath, report = proved.toolpath, proved.report
+    _refuse_bad(proved, request)
     _tell(progress, 1.0, "Done")
     seconds = time_of(toolpath, request.machine or MIDDLING).total
     report = replace(report, time=seconds, notices=(*notices, *uncut, *report.notices))
-    return Plan(request, toolpath, report, curves)
+    return Plan(request, toolpath, report, _curves(proved.cuts, request))
+
+
+def _proved(cuts: Sequence[Cut], request: PocketRequest, progress: Progress | None) -> Proved:
+    """Return the path of cuts with its feeds, and its proof."""
+    drawn, owners = render(cuts, request)
+    if request.cutting.cut_mode is CutMode.CONVENTIONAL:
+        drawn = drawn.mirrored()
+    _tell(progress, 0.7, "Planning feeds")
+    toolpath, engagement = _with_feeds(drawn, request)
+    _tell(progress, 0.8, "Proving the path")
+    report = prove(request, toolpath, engagement)
+    middles = ends_of(toolpath) - toolpath.lengths / 2  # feeds split moves
+    hit = owners[moves_at(drawn, middles[sorted(report.hit_moves)])]
+    return Proved(cuts, toolpath, report, frozenset((int(c), int(p)) for c, p in hit))
+
+
+def _planned_again(
+    region: Polygon, request: PocketRequest, progress: Progress | None
+) -> FloorPath | None:
+    """Return the path of one region by other settings, None if these cannot cut it."""
+
+    def tick(done: float) -> None:
+        _tell(progress, 0.8 + 0.1 * done, "Repairing the path")
+
+    path = _floor_path(region, request, tick)
+    return path if isinstance(path, FloorPath) else None
+
+
+def _refuse_bad(proved: Proved, request: PocketRequest) -> None:
+    """Raise if a path must not be run."""
+    report = proved.report
+    gouge, hit, _ = badness(report, request)
+    hint = "Try another step-over or strategy, and please report this pocket."
+    if gouge:
+        raise ProofError(
+            f"The path was made, but would cut {report.gouge:.3f} mm into the wall; it is not "
+            "handed out.",
+            hint,
+            report.gouge_place,
+        )
+    if hit:
+        raise ProofError(
+            f"The path was made, but at {{at}} would run {hit:.2g} mm through standing stock where "
+            "it should not cut; it is not handed out.",
+            hint,
+            tuple(proved.toolpath.points[min(report.hit_moves), :2]),
+        )
 
 
 def _with_feeds(toolpath: Toolpath, request: PocketRequest) -> tuple[Toolpath, Engagement]:
@@ -186,18 +226,18 @@ def _floor_path(
         return error
 
 
-def _curves(cuts: Sequence[Cut]) -> tuple[SplineCurve, ...]:
+def _curves(cuts: Sequence[Cut], request: PocketRequest) -> tuple[SplineCurve, ...]:
     """Return the exact curve of each path, at the lowest level that it cuts."""
+    side = -1 if request.cutting.cut_mode is CutMode.CONVENTIONAL else 1
     curves = {}
     for cut in cuts:
-        if cut.path.curve is not None:
-            curves[id(cut.path)] = replace(cut.path.curve, height=cut.room.level.bottom)
+        curve = cut.path.curve
+        if curve is not None:
+            points = curve.control_points * (side, 1)
+            height = cut.room.level.bottom
+            curves[id(cut.path)] = replace(curve, control_points=points, height=height)
     return tuple(curves.values())
 
 
 def _mirrored(region: Polygon) -> Polygon:
     return orient(scale(region, -1.0, 1.0, origin=(0.0, 0.0)))
-
-
-def _mirrored_curve(curve: SplineCurve) -> SplineCurve:
-    return replace(curve, control_points=curve.control_points * (-1, 1))

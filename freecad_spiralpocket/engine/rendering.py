@@ -7,8 +7,11 @@ the cutter only lifts to the safe height, between rooms to the clearance height.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
 
 from .entry import APPROACH, cut_entry, entry_start
 from .floor import FloorPath, Groove, Helix, Pass, Slot
@@ -28,8 +31,8 @@ class Cut:
     path: FloorPath
 
 
-def render(cuts: Sequence[Cut], request: PocketRequest) -> Toolpath:
-    """Return the moves that cut every room.
+def render(cuts: Sequence[Cut], request: PocketRequest) -> tuple[Toolpath, NDArray[np.int64]]:
+    """Return the moves that cut every room, and what each belongs to.
 
     Parameters
     ----------
@@ -37,27 +40,44 @@ def render(cuts: Sequence[Cut], request: PocketRequest) -> Toolpath:
         In cutting order, one at least.
     request : PocketRequest
         For its heights, feeds and helix angle.
+
+    Returns
+    -------
+    toolpath : Toolpath
+    owners : ndarray of shape (n, 2)
+        Of each move the number of its cut and of the pass in that; -1 for the way down, and for
+        the last lift.
     """
     heights, first = request.heights, cuts[0]
     level = first.room.level
     x, y = entry_start(first.path.entry, request.entry.helix_angle, level.top, level.bottom)
     builder = ToolpathBuilder((x, y, heights.clearance))
     here: Room | None = None
-    for cut in cuts:
+    owners: list[tuple[int, int]] = []
+    for number, cut in enumerate(cuts):
         goes_on = here is not None and cut.room.above is here
-        _cut_room(builder, cut, heights.safe if goes_on else heights.clearance, request)
+        lift = heights.safe if goes_on else heights.clearance
+        for part in _cut_room(builder, cut, lift, request):
+            owners += [(number, part)] * (len(builder) - len(owners))
         here = cut.room
     builder.rapid(request.feeds.vertical_rapid, z=heights.clearance)
-    return builder.build()
+    owners += [(len(cuts) - 1, -1)] * (len(builder) - len(owners))
+    return builder.build(), np.array(owners, np.int64).reshape(-1, 2)
 
 
-def _cut_room(builder: ToolpathBuilder, cut: Cut, lift: float, request: PocketRequest) -> None:
-    """Add one level of one room: over to it at height `lift`, down, and all passes."""
+def _cut_room(
+    builder: ToolpathBuilder, cut: Cut, lift: float, request: PocketRequest
+) -> Iterator[int]:
+    """Add one level of one room: over to it at height `lift`, down, and all passes.
+
+    Yields the number of each pass when it has been added, -1 for the way down.
+    """
     path, top, bottom = cut.path, cut.room.level.top, cut.room.level.bottom
     feeds, safe = request.feeds, request.heights.safe
     builder.rapid(feeds.vertical_rapid, z=lift)
     _go_down(builder, path.entry, top, bottom, request)
-    for part in path.passes:
+    yield -1
+    for number, part in enumerate(path.passes):
         if not isinstance(part, Pass):
             builder.rapid(feeds.vertical_rapid, z=safe)
             _go_down(builder, part, top, bottom, request)
@@ -70,6 +90,7 @@ def _cut_room(builder: ToolpathBuilder, cut: Cut, lift: float, request: PocketRe
             feed = request.link_feed if part.role is Role.LINK else feeds.horizontal
             slack = ARC_SHARE * request.tolerance
             builder.along(part.points, bottom, feed, part.role, slack)
+        yield number
 
 
 def _go_down(

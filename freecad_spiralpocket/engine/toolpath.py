@@ -125,6 +125,10 @@ class ToolpathBuilder:
         self._here = self._start.copy()
         self._rows: list[tuple[int, int, float, float, float, float, float, float]] = []
 
+    def __len__(self) -> int:
+        """Return the number of moves so far."""
+        return len(self._rows)
+
     @property
     def here(self) -> Floats:
         """Return where the cutter is now, shape (3,) [mm]."""

@@ -80,6 +80,8 @@ def prove(
         engagement_moves=engagement.moves[fed],
         uncut=uncut,
         gouge=max(gouge, too_deep),
+        gouge_place=place,
+        hit_moves=rapid.moves | link.moves,
         step_width=step.width,
         step_height=step.height,
         notices=(
@@ -146,7 +148,7 @@ def _hits(
     along = hits_along(engagement, ~fed, slack)
     down = rapid_plunges(pieces, request.cutter_radius, slack)
     links = fed & (toolpath.roles[engagement.moves] == Role.LINK)
-    rapid = Hit(along.length + down.length, along.place or down.place)
+    rapid = Hit(along.length + down.length, along.place or down.place, along.moves | down.moves)
     return rapid, hits_along(engagement, links, slack)
 
 

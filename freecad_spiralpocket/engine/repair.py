@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Repair of what the proof finds wrong, a few times at most, before a path is refused.
+
+The proof judges the emitted moves and tells which of them run through stock. First
+every link among these becomes a lift over the safe height: that needs no new laps. What
+then still is wrong, a gouge, a rapid or link through stock, ground left standing, lies in
+some room; its path is planned again, with a smaller step-over, then by another
+strategy. Each change is proved as a whole and kept only if it is better.
+
+Repair decides nothing by itself that the proof does not see, and never hides: what is
+left is refused or told by the planner.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from shapely import Point, Polygon
+
+from .findings import TOUCH
+from .floor import FloorPath, Pass
+from .model import PocketRequest, Report, Strategy
+from .rendering import Cut
+from .toolpath import Role, Toolpath
+
+#: A path is proved so many times more at most.
+ROUNDS = 5
+#: Shares of the step-over with which a room is planned again, in this order; then by the other
+#: strategy.
+STEPOVERS = (0.8, 0.64)
+#: Ground left standing is worth another plan from this share of the cutter's disc on; less is
+#: only told.
+WORTH = 0.01
+#: A gouge below the tolerance and this is none [mm].
+GOUGE_SLACK = 0.005
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Proved:
+    """A path and what the proof says of it.
+
+    Attributes
+    ----------
+    cuts : sequence of Cut
+    toolpath : Toolpath
+    report : Report
+    hits : frozenset of tuple of int
+        Which cuts, and which of their passes (-1: the way down), have rapids or links through
+        stock.
+    """
+
+    cuts: Sequence[Cut]
+    toolpath: Toolpath
+    report: Report
+    hits: frozenset[tuple[int, int]]
+
+
+#: Returns the proved path of cuts.
+Prover = Callable[[Sequence[Cut]], Proved]
+#: Returns the path of a region by other settings; None if these cannot cut it.
+Planner = Callable[[Polygon, PocketRequest], FloorPath | None]
+
+
+def repaired(
+    proved: Proved, request: PocketRequest, prove_cuts: Prover, plan_again: Planner
+) -> Proved:
+    """Return the path, repaired as far as that succeeds.
+
+    Parameters
+    ----------
+    proved : Proved
+    request : PocketRequest
+    prove_cuts, plan_again : callable
+    """
+    best, repair = proved, _Repair(request, plan_again)
+    for _ in range(ROUNDS):
+        if not any(badness(best.report, request)):
+            break
+        cuts = repair.mended(best)
+        if cuts is None:
+            break
+        tried = prove_cuts(cuts)
+        if badness(tried.report, request) < badness(best.report, request):
+            best = tried
+    return best
+
+
+def badness(report: Report, request: PocketRequest) -> tuple[float, float, float]:
+    """Return how far a path is from being handed out: gouge, hits [mm], ground left [mm2].
+
+    Each is 0 where it is good enough; the first that differs decides between two paths.
+    """
+    gouge = report.gouge - request.tolerance - GOUGE_SLACK
+    hit = max(report.rapid_hit, 0.0) + max(report.link_hit, 0.0)
+    struck = report.rapid_hit > TOUCH or report.link_hit > TOUCH
+    return max(gouge, 0.0), hit if struck else 0.0, _left(report, request)
+
+
+def other_settings(request: PocketRequest) -> list[PocketRequest]:
+    """Return the requests by which a room is planned again, in this order."""
+    cutting = request.cutting
+    other = Strategy.LINEAR_MORPH
+    if request.strategy is not Strategy.AUTOMATIC:
+        other = Strategy.AUTOMATIC
+    return [
+        *(
+            replace(request, cutting=replace(cutting, stepover=share * cutting.stepover))
+            for share in STEPOVERS
+        ),
+        replace(request, strategy=other),
+    ]
+
+
+class _Repair:
+    """What has been tried so far."""
+
+    def __init__(self, request: PocketRequest, plan_again: Planner) -> None:
+        self._request, self._plan_again = request, plan_again
+        self._lifted: set[int] = set()
+        self._settings: dict[bytes, list[PocketRequest]] = {}
+
+    def mended(self, proved: Proved) -> list[Cut] | None:
+        """Return cuts with the next change, None if there is nothing left to try."""
+        lifted = self._with_lifts(proved)
+        if lifted is not None:
+            return lifted
+        return self._planned_again(proved)
+
+    def _with_lifts(self, proved: Proved) -> list[Cut] | None:
+        """Return the cuts with lifts instead of links through stock; None without any new."""
+        found: dict[int, set[int]] = {}
+        for number, part in proved.hits:
+            path = proved.cuts[number].path
+            if _is_link(path, part) and id(path.passes[part]) not in self._lifted:
+                found.setdefault(id(path), set()).add(part)
+                self._lifted.add(id(path.passes[part]))
+        if not found:
+            return None
+        paths = {id(cut.path): cut.path for cut in proved.cuts}
+        lifted = {key: with_lifts(paths[key], parts) for key, parts in found.items()}
+        return [replace(cut, path=lifted.get(id(cut.path), cut.path)) for cut in proved.cuts]
+
+    def _planned_again(self, proved: Proved) -> list[Cut] | None:
+        """Return the cuts with new paths where something is wrong; None without any."""
+        new: dict[bytes, FloorPath] = {}
+        for cut in _sick(proved, self._request):
+            key = cut.room.region.wkb
+            settings = self._settings.setdefault(key, other_settings(self._request))
+            while key not in new and settings:
+                path = self._plan_again(cut.room.region, settings.pop(0))
+                if path is not None:
+                    new[key] = path
+        if not new:
+            return None
+        return [replace(c, path=new.get(c.room.region.wkb, c.path)) for c in proved.cuts]
+
+
+def with_lifts(path: FloorPath, parts: Iterable[int]) -> FloorPath:
+    """Return a path that lifts over the given links; a link at its very end is left out."""
+    chosen, passes = set(parts), []
+    for number, part in enumerate(path.passes):
+        if number not in chosen or not isinstance(part, Pass):
+            passes.append(part)
+        elif number < len(path.passes) - 1:
+            passes.append(Pass(part.points[-1:], Role.AIR))
+    return replace(path, passes=tuple(passes))
+
+
+def _is_link(path: FloorPath, number: int) -> bool:
+    part = path.passes[number] if number >= 0 else None
+    return isinstance(part, Pass) and part.role is Role.LINK
+
+
+def _sick(proved: Proved, request: PocketRequest) -> list[Cut]:
+    """Return the cuts that something is wrong with, by the worst that there is."""
+    gouge, hit, left = badness(proved.report, request)
+    reach = request.cutter_radius + request.cutting.stock_to_leave + request.tolerance
+    if gouge:
+        place = proved.report.gouge_place
+        return [
+            cut
+            for cut in proved.cuts
+            if place is None or cut.room.region.distance(Point(place)) <= gouge + reach
+        ]
+    if hit:
+        return [proved.cuts[number] for number in sorted({cut for cut, _ in proved.hits})]
+    if left:
+        return [cut for cut in proved.cuts if cut.room.region.dwithin(proved.report.uncut, reach)]
+    return []
+
+
+def _left(report: Report, request: PocketRequest) -> float:
+    """Return the ground left standing that is worth another plan [mm2].
+
+    Without a closing lap the corners are left on purpose.
+    """
+    disc = math.pi * request.cutter_radius**2
+    if not request.cutting.finishing_lap or report.uncut_area < WORTH * disc:
+        return 0.0
+    return report.uncut_area

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Repair: faulty strategies are put in place of sound ones, and what comes of it."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from shapely import box
+from shapes import HEIGHTS, SQUARE, rounded
+from shapes import request as request_of
+
+from freecad_spiralpocket.engine import plan, planner
+from freecad_spiralpocket.engine.errors import ProofError
+from freecad_spiralpocket.engine.floor import FloorPath, Pass
+from freecad_spiralpocket.engine.laps import linear_morph
+from freecad_spiralpocket.engine.model import CutMode, Strategy
+from freecad_spiralpocket.engine.repair import badness, other_settings, with_lifts
+from freecad_spiralpocket.engine.toolpath import Kind, Role
+
+STEPOVER = 2.4
+FAR = np.array([[38.0, 8.0]])  # in the square's corner, which stands until the last laps
+
+
+def sound(region, request, tick):
+    return linear_morph.floor_path(region, request, tick)
+
+
+def begins_with(*passes):
+    """Return a strategy whose paths run `passes` after the entry."""
+
+    def strategy(region, request, tick):
+        path = sound(region, request, tick)
+        return dataclasses.replace(path, passes=(*passes, *path.passes))
+
+    return strategy
+
+
+def back(path):
+    """Return the way to a far place and back to where the first pass begins."""
+    return np.vstack([FAR, path.passes[0].points[:1]])
+
+
+def strays(region, request, tick):
+    """Cut soundly, but link through the stock and back first."""
+    path = sound(region, request, tick)
+    return dataclasses.replace(path, passes=(Pass(back(path), Role.LINK), *path.passes))
+
+
+def leaves_half(region, request, tick):
+    """Forget all but the first half of the spiral."""
+    path = sound(region, request, tick)
+    points = path.passes[0].points
+    return FloorPath(path.entry, (Pass(points[: len(points) // 2], Role.CUT),))
+
+
+def gouges(region, request, tick):
+    """Cut 0.5 mm into the wall at the end."""
+    path = sound(region, request, tick)
+    x1, y = region.bounds[2], region.centroid.y
+    into = Pass(np.array([[x1 - 1, y], [x1 + 0.5, y], [x1 - 1, y]]), Role.CUT)
+    return dataclasses.replace(path, passes=(*path.passes[:2], into))
+
+
+def only_if_as_asked(faulty):
+    """Return a strategy that is faulty at the step-over that was asked for."""
+
+    def strategy(region, request, tick):
+        asked = request.cutting.stepover == STEPOVER
+        return (faulty if asked else sound)(region, request, tick)
+
+    return strategy
+
+
+@pytest.fixture
+def use(monkeypatch):
+    """Return a function that plans the square by a strategy in Automatic's place."""
+
+    def plan_by(strategy, other=sound, **changes):
+        monkeypatch.setitem(planner._STRATEGIES, Strategy.AUTOMATIC, strategy)
+        monkeypatch.setitem(planner._STRATEGIES, Strategy.LINEAR_MORPH, other)
+        return plan(request_of(SQUARE, strategy=Strategy.AUTOMATIC, **changes))
+
+    return plan_by
+
+
+@pytest.mark.parametrize("mode", CutMode)
+def test_a_link_through_stock_becomes_a_lift(use, mode):
+    cutting = dataclasses.replace(request_of(SQUARE).cutting, cut_mode=mode)
+    plain = use(sound, cutting=cutting)
+    made = use(strays, other=strays, cutting=cutting)
+    assert made.report.link_hit == made.report.rapid_hit == 0.0
+    assert made.report.notices == plain.report.notices
+    lifts = made.toolpath.kinds == Kind.RAPID
+    assert lifts.sum() == (plain.toolpath.kinds == Kind.RAPID).sum() + 2
+    assert made.report.uncut_area == pytest.approx(plain.report.uncut_area, abs=1e-3)
+
+
+def test_it_becomes_a_lift_at_every_level(use):
+    made = use(strays, heights=dataclasses.replace(HEIGHTS, step_down=2.0))
+    assert made.report.link_hit == made.report.rapid_hit == 0.0
+
+
+def test_a_link_that_ends_in_stock_is_planned_again(use):
+    made = use(only_if_as_asked(begins_with(Pass(FAR, Role.LINK))))
+    assert made.report.link_hit == made.report.rapid_hit == 0.0
+    assert made.report.uncut_area < 0.01
+
+
+def test_what_fails_at_every_stepover_is_planned_by_the_other_strategy(use):
+    made = use(begins_with(Pass(FAR, Role.LINK)))
+    assert made.report.link_hit == made.report.rapid_hit == 0.0
+    assert len(made.curves) == 1
+
+
+def test_what_stays_in_stock_is_refused_with_its_place(use):
+    faulty = begins_with(Pass(FAR, Role.LINK))
+    with pytest.raises(ProofError, match="through standing stock") as caught:
+        use(faulty, other=faulty)
+    assert caught.value.place is not None
+
+
+def test_a_gouge_is_cured_by_a_smaller_stepover(use):
+    made = use(only_if_as_asked(gouges))
+    assert made.report.gouge <= made.request.tolerance
+
+
+def test_a_gouge_that_stays_is_refused(use):
+    with pytest.raises(ProofError, match="into the wall"):
+        use(gouges, other=gouges)
+
+
+def test_ground_left_is_cured_by_a_smaller_stepover(use):
+    made = use(only_if_as_asked(leaves_half))
+    assert made.report.uncut_area < 0.01
+
+
+def test_ground_that_stays_is_told_with_place_and_area(use):
+    made = use(leaves_half, other=leaves_half)
+    assert made.report.uncut_area > 100
+    (told,) = [n for n in made.report.notices if "stay uncut" in n.message]
+    assert told.place is not None and "mm2" in told.message
+
+
+def test_only_the_room_that_is_sick_is_planned_again(use, monkeypatch):
+    planned = []
+
+    def strategy(region, request, tick):
+        planned.append((region.centroid.x > 0, request.cutting.stepover))
+        faulty = gouges if planned[-1] == (True, STEPOVER) else sound
+        return faulty(region, request, tick)
+
+    rooms = [rounded(box(x, 0, x + 30, 24), 4.0) for x in (-40, 10)]
+    both = rooms[0].union(rooms[1]).union(box(-12, 10, 12, 14))  # a neck too narrow for the cutter
+    monkeypatch.setitem(planner._STRATEGIES, Strategy.AUTOMATIC, strategy)
+    made = plan(request_of(both, strategy=Strategy.AUTOMATIC))
+    assert made.report.gouge <= made.request.tolerance
+    assert sorted(planned) == [(False, 2.4), (True, pytest.approx(0.8 * 2.4)), (True, 2.4)]
+
+
+def test_a_sound_path_is_proved_once(use, monkeypatch):
+    proofs = []
+    prove = planner.prove
+    monkeypatch.setattr(planner, "prove", lambda *args: proofs.append(1) or prove(*args))
+    made = use(sound)
+    assert len(proofs) == 1 and not any(badness(made.report, made.request))
+
+
+def test_the_other_strategy_comes_last():
+    asked = request_of(SQUARE, strategy=Strategy.LINEAR_MORPH)
+    tried = other_settings(asked)
+    assert [t.cutting.stepover for t in tried] == pytest.approx([1.92, 1.536, 2.4])
+    assert [t.strategy for t in tried][-1] is Strategy.AUTOMATIC
+
+
+def test_a_link_at_the_very_end_is_left_out():
+    points = np.array([[1.0, 2.0], [3.0, 4.0]])
+    cut, link = Pass(points, Role.CUT), Pass(points, Role.LINK)
+    path = FloorPath(None, (cut, link, cut, link))
+    roles = [part.role for part in with_lifts(path, {1, 3}).passes]
+    assert roles == [Role.CUT, Role.AIR, Role.CUT]
