@@ -5,12 +5,15 @@ The paper prints two pictures and no figures. What it claims is measured: the re
 laps keep the distance b, links have a curvature linear in the arc length. With
 $SPIRALPOCKET_POCKETS, all pockets of that folder are cut as well (`tool` and `ae` are the
 cutter's diameter and the step-over).
+
+    ./dev bench paper_eas07 [FOLDER]     with a folder, a picture is written there
 """
 
 from __future__ import annotations
 
 import json
 import os
+import sys
 import time
 from itertools import pairwise
 from pathlib import Path
@@ -78,9 +81,9 @@ def figures() -> dict[str, dict]:
     return found
 
 
-def measure(shape: Polygon, diameter: float, step: float) -> dict[str, float | int]:
-    """Return what comes of one pocket."""
-    request = PocketRequest(
+def request_for(shape: Polygon, diameter: float, step: float) -> PocketRequest:
+    """Return a request for a pocket 5 mm deep."""
+    return PocketRequest(
         shape,
         diameter,
         Heights(8.0, 3.0, 0.0, -5.0, 5.0),
@@ -88,6 +91,11 @@ def measure(shape: Polygon, diameter: float, step: float) -> dict[str, float | i
         Cutting(step),
         strategy=Strategy.EXTENDED_ARCHIMEDEAN,
     )
+
+
+def measure(shape: Polygon, diameter: float, step: float) -> dict[str, float | int]:
+    """Return what comes of one pocket."""
+    request = request_for(shape, diameter, step)
     began = time.process_time()
     layouts = [
         extended_archimedean.lay(region, request, lambda done: None)
@@ -182,5 +190,34 @@ def shown(found: dict[str, dict]) -> dict[str, bool]:
     }
 
 
+def draw(folder: Path) -> None:
+    """Write a picture of the spirals, links and strokes in three pockets."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(15, 5.2), layout="constrained")
+    shapes = pockets()
+    for axes, name in zip(figure.subplots(1, 3), ("rooms", "bend", "posts"), strict=True):
+        shape, diameter, step = shapes[name]
+        request = request_for(shape, diameter, step)
+        (region,) = center_regions(shape, diameter / 2, 0.0)
+        layout = extended_archimedean.lay(region, request, lambda done: None)
+        for ring in (shape.exterior, *shape.interiors):
+            axes.plot(*ring.xy, color="black", linewidth=1.5)
+        for center in layout.opening.centers:
+            axes.plot(*center.curve.xy, color="tab:red", linewidth=2.5, marker=".", markersize=4)
+        axes.plot(*layout.opening.start.ring.xy, color="tab:red", linewidth=0.8)
+        for i, cut in enumerate(layout.steps):
+            spiral = i < len(layout.spirals)
+            if cut.link is not None and len(cut.link) > 1:
+                axes.plot(*cut.link.T, color="tab:orange", linewidth=1.8 if spiral else 0.6)
+            color = "tab:blue" if spiral else "tab:green"
+            axes.plot(*cut.points.T, color=color, linewidth=0.8)
+        axes.set_aspect("equal")
+        axes.axis("off")
+    figure.savefig(folder / "extended-archimedean.png", dpi=70)
+
+
 if __name__ == "__main__":
     figures()
+    if sys.argv[1:]:
+        draw(Path(sys.argv[1]))

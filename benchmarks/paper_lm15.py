@@ -5,23 +5,28 @@ Triangle, square and pentagon for a 6 mm cutter, as the paper's, which prints no
 non-convex pockets for its section 3.2. What the paper states is printed beside what is found:
 it shows forces and ratios as bars only. At its 100 mm/min the simulated machine slows for no path;
 the ratios are told apart at 3000 mm/min.
+
+    ./dev bench paper_lm15 [FOLDER]     with a folder, a picture is written there
 """
 
 from __future__ import annotations
 
+import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import shapely
 from feed_modes import DIAMETER, POCKETS, SPIRAL_STEP, compare
 from paper_pockets import pocket
 from scipy.interpolate import BSpline
-from shapely import LineString, Polygon
+from shapely import LineString, Polygon, box
 
 from freecad_spiralpocket.engine.floor import Slot
 from freecad_spiralpocket.engine.laps import linear_morph
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest, Strategy
 from freecad_spiralpocket.engine.region import center_regions
+from freecad_spiralpocket.engine.splines import periodic_beziers, sample_beziers
 
 #: Parameters at which the spiral is compared with equation 3.
 PARAMETERS = 10_000
@@ -46,9 +51,9 @@ def figures() -> dict[str, dict]:
     return found
 
 
-def exactness(shape: Polygon, diameter: float, step: float) -> dict[str, float | int | str]:
-    """Return how exact, smooth and quick the spiral of one pocket is."""
-    request = PocketRequest(
+def request_for(shape: Polygon, diameter: float, step: float) -> PocketRequest:
+    """Return a request for a pocket 2 mm deep, as the paper's."""
+    return PocketRequest(
         shape,
         diameter,
         Heights(5.0, 2.0, 0.0, -2.0, 2.0),
@@ -56,6 +61,11 @@ def exactness(shape: Polygon, diameter: float, step: float) -> dict[str, float |
         Cutting(step),
         strategy=Strategy.LINEAR_MORPH,
     )
+
+
+def exactness(shape: Polygon, diameter: float, step: float) -> dict[str, float | int | str]:
+    """Return how exact, smooth and quick the spiral of one pocket is."""
+    request = request_for(shape, diameter, step)
     region = center_regions(shape, diameter / 2, 0.0)[0]
     seconds = []
     for _ in range(REPEATS):
@@ -125,5 +135,29 @@ def shown(found: dict[str, dict]) -> dict[str, bool]:
     }
 
 
+def draw(folder: Path) -> None:
+    """Write a picture of the spirals in a convex and in non-convex pockets."""
+    from matplotlib.figure import Figure
+
+    rooms = box(-60, -22, -14, 22).union(box(18, -16, 52, 16)).union(box(-20, -7, 24, 7))
+    tee = box(0, 0, 90, 26).union(box(32, -40, 58, 4))
+    figure = Figure(figsize=(15, 5.2), layout="constrained")
+    for axes, shape in zip(figure.subplots(1, 3), (POCKETS["pentagon"], tee, rooms), strict=True):
+        request = request_for(shape, DIAMETER, 2.4)
+        (region,) = center_regions(shape, DIAMETER / 2, 0.0)
+        morph = linear_morph.morph_of(region, request)
+        path = linear_morph.floor_path(region, request, lambda done: None)
+        axes.plot(*shape.exterior.xy, color="black", linewidth=1.5)
+        ring = sample_beziers(periodic_beziers(morph.breaks, morph.inner), 0.01)
+        axes.plot(*ring.T, color="tab:red", linewidth=1.5)
+        axes.plot(*path.passes[0].points.T, color="tab:blue", linewidth=0.8)
+        axes.plot(*path.passes[1].points.T, color="tab:green", linewidth=0.8)
+        axes.set_aspect("equal")
+        axes.axis("off")
+    figure.savefig(folder / "linear-morph.png", dpi=70)
+
+
 if __name__ == "__main__":
     figures()
+    if sys.argv[1:]:
+        draw(Path(sys.argv[1]))
