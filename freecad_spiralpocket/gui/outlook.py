@@ -18,7 +18,7 @@ import FreeCAD
 from PySide import QtCore
 
 from ..engine.dependencies import require_libraries
-from ..engine.errors import SpiralPocketError
+from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Plan, PocketRequest
 from . import planning
 from .lane import Job
@@ -44,6 +44,8 @@ class Outlook:
         What keeps other pockets, or all, from being planned.
     listeners : list of callable
         Called after every change of what can be seen here.
+    is_on, is_stopped : bool
+        Whether it looks at all; whether proofs wait for the next change, as Stop was pressed.
     """
 
     def __init__(self, page: Any) -> None:
@@ -51,7 +53,7 @@ class Outlook:
         self.pockets: list[Pocket] = []
         self.problems: list[SpiralPocketError] = []
         self.listeners: list[Callable[[], None]] = []
-        self.is_on = True
+        self.is_on, self.is_stopped = True, False
         self._shapes: dict[Any, Any] = {}  # what was read off the model
         self._is_closed = False
         self._soon, self._quiet, self._news = (QtCore.QTimer() for _ in range(3))
@@ -75,11 +77,20 @@ class Outlook:
 
     def changed(self) -> None:
         """Look at the operation soon."""
+        self.is_stopped = False
         if self.is_on and not self._is_closed:
             self._soon.start(SOON)
             self._quiet.start(QUIET)
 
-    computed = changed
+    def computed(self) -> None:
+        """Look again; after Stop nothing goes on until the next change."""
+        errors = self._obj.Proxy.errors
+        self.changed()
+        self.is_stopped = any(isinstance(e, CancelledError) for e in errors)
+        if self.is_stopped:
+            self._quiet.stop()
+            for pocket in self.pockets:
+                pocket.close()
 
     def switch(self, on: bool) -> None:
         """Go on looking, or stop and forget everything."""
@@ -111,7 +122,7 @@ class Outlook:
     def is_settled(self) -> bool:
         """Return whether nothing more will come without a change."""
         waits = any(t.isActive() for t in (self._soon, self._quiet, self._news))
-        return not waits and all(p.is_settled for p in self.pockets)
+        return not waits and (self.is_stopped or all(p.is_settled for p in self.pockets))
 
     def _tell_soon(self) -> None:
         """Tell the listeners, together with what else comes in a moment."""
@@ -191,7 +202,7 @@ class Pocket:
 
     def draw(self) -> None:
         """Take the plan if it is known, else ask for a draft."""
-        if self.is_settled or self._jobs or self._take_known():
+        if self.is_settled or self.is_drafted or self._jobs or self._take_known():
             return
         self._start(planning.drafts, planning.drafts.submit("draft", self.request))
 

@@ -3,7 +3,18 @@
 
 import pytest
 from PySide import QtCore, QtGui
-from window import APPLY, CANCEL, answered, dialog, press, press_toolbar_button, select, widget
+from window import (
+    APPLY,
+    CANCEL,
+    answered,
+    dialog,
+    panel,
+    press,
+    press_toolbar_button,
+    pump,
+    select,
+    widget,
+)
 
 from freecad_spiralpocket.gui import lane, planning, workers
 from freecad_spiralpocket.gui.progress import progress_dialog
@@ -33,12 +44,19 @@ class Stop:
             shown.findChild(QtGui.QPushButton).click()
 
 
+def busy():
+    """Return the jobs that are waiting or under way."""
+    running = [s.job for s in planning.proofs._seats if s.job is not None]
+    return running + planning.proofs._waiting
+
+
 @pytest.fixture(params=["process", "thread"])
 def worker(request, monkeypatch):
     """Plan in a process, and where there is none."""
     if request.param == "thread":
         monkeypatch.setattr(workers.Interpreters, "left", [])
     monkeypatch.setattr(planning, "proofs", lane.Lane(1))
+    monkeypatch.setattr(planning, "_proved", {})
     yield request.param
     planning.proofs.close()
 
@@ -59,6 +77,8 @@ def test_stop_leaves_an_empty_path_and_the_panel_open(job, floor, worker, stage)
     assert [c.Name[0] for c in operation.Path.Commands] == ["("]
     assert operation.PathLength.Value == 0
     assert dialog(NAME) is None
+    pump(1.0)  # the preview does not go on by itself
+    assert panel().operation_page.outlook.is_stopped and not busy()
     widget("stepOverPercent").setValue(45)
     press(APPLY)
     assert len(operation.Path.Commands) > 100
