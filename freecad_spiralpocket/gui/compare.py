@@ -99,7 +99,7 @@ class Comparison:
         self.dialog.finished.connect(lambda *_: self._end())
         columns = min(COLUMNS, len(Strategy) + 1)
         rows = -(-(len(Strategy) + 1) // columns)
-        self.dialog.resize(60 + columns * (PICTURE.width() + 30), min(820, 70 + 355 * rows))
+        self.dialog.resize(60 + columns * (PICTURE.width() + 30), min(860, 80 + 372 * rows))
 
     def show(self, requests: list[PocketRequest]) -> None:
         """Compare on one of these pockets, at first the largest; begin anew if it is another."""
