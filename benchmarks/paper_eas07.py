@@ -28,7 +28,6 @@ from freecad_spiralpocket.engine.archimedean import Spiral
 from freecad_spiralpocket.engine.clothoids import ClothoidPath
 from freecad_spiralpocket.engine.laps import extended_archimedean
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest, Strategy
-from freecad_spiralpocket.engine.openings import spacing_of
 from freecad_spiralpocket.engine.region import center_regions
 
 #: Uncut floor that does not count, over the pocket's area: strokes thinner than 0.03 mm are
@@ -107,7 +106,10 @@ def measure(shape: Polygon, diameter: float, step: float) -> dict[str, float | i
     links = [link for o in layouts for link in o.links if link is not None]
     ways = [t.link for o in layouts for t in o.steps[: len(o.spirals)]]
     others = sum(way is None or len(way) > 0 for way in ways) - len(links)
-    apart = [spacing(s, points) / spacing_of(request) - 1 for s, points in spirals]
+    apart = [
+        spacing(s, points) / min(step, extended_archimedean.WIDEST * diameter) - 1
+        for s, points in spirals
+    ]
     # a spiral of one turn has no turn before
     off = np.abs(np.concatenate([*apart, [0.0]]))
     return {

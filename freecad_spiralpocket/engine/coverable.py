@@ -24,6 +24,7 @@ from shapely import LineString, Point, Polygon
 
 from .model import Floats
 from .polyline import points_at
+from .region import polygons_of
 from .skeleton import Skeleton, longest_route
 
 #: Centers are smoothed over these lengths, over R: the first that costs no lap. Laps on the inside
@@ -40,6 +41,8 @@ SLIM = 2.0
 APART = 3.2
 #: Slices below the first lap, over the half width of the opened center: narrow channels.
 NARROW = (0.15, 0.5, 0.9)
+#: A path that closes to a ring is made shorter by this share of the distance at a time.
+SHORTER = 0.25
 #: Points of a center are this far apart [mm].
 SPACING = 0.5
 
@@ -90,6 +93,7 @@ def maximal_centers(
         if found is None:
             break
         nodes, offset = found
+        nodes = _without_loop(axis, nodes, offset + radius)
         center = _center(region, axis, nodes, half_width, stepover, radius)
         reach = max(half_width + center.laps * stepover, offset, APART * radius)
         shape = shapely.intersection(shapely.buffer(center.curve, reach, quad_segs=8), rest)
@@ -146,6 +150,20 @@ def _parts(axis: Skeleton, edges: NDArray[np.intp]) -> tuple[NDArray[np.int32], 
     steps = np.hypot(*(axis.nodes[edges[:, 0]] - axis.nodes[edges[:, 1]]).T)
     totals = np.bincount(label[edges[:, 0]], steps, minlength=int(label.max()) + 1)
     return label, totals.astype(float)
+
+
+def _without_loop(axis: Skeleton, nodes: NDArray[np.intp], distance: float) -> NDArray[np.intp]:
+    """Return the beginning of a path that is no ring round an island, so wide on both sides."""
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(axis.nodes[nodes], axis=0).T))])
+    length = along[-1]
+    while len(nodes) > 1:
+        shape = shapely.buffer(LineString(axis.nodes[nodes]), distance, quad_segs=4)
+        # a buffer may shed a sliver
+        if not polygons_of(shape)[0].interiors:
+            break
+        length -= SHORTER * distance
+        nodes = nodes[: max(1, int(np.searchsorted(along, length)))]
+    return nodes
 
 
 def _center(

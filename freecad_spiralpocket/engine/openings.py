@@ -26,8 +26,6 @@ from .starts import HALF_WIDTHS, Start, slot_round
 
 #: Half the width of the ways between centers, over D.
 JOINT = 0.3
-#: Laps are no farther apart than this over D: in a square bend they are 1.41 times as far.
-WIDEST = 0.7
 #: Rounding takes no more than this off what is opened [mm].
 ROUNDING = 0.05
 
@@ -63,7 +61,7 @@ def open_centers(region: Polygon, axis: Skeleton, request: PocketRequest) -> Ope
     CutterDoesNotFitError
         If there is no room to go down.
     """
-    stepover, radius = spacing_of(request), request.cutter_radius
+    stepover, radius = request.cutting.stepover, request.cutter_radius
     halves = [share * request.tool_diameter for share in HALF_WIDTHS]
     for most in (len(axis.nodes), 1):
         for half in halves:
@@ -108,7 +106,7 @@ def _open_point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Open
         nodes = np.array([np.argmax(axis.clearance)])
         place, room = axis.nodes[nodes[0]], float(axis.clearance[nodes[0]])
     radius = fit_helix_radius(region, place, request.cutter_radius, request.entry)
-    laps = int(max(0.0, room - radius) / spacing_of(request) + 1e-6)
+    laps = int(max(0.0, room - radius) / request.cutting.stepover + 1e-6)
     center = Center(Point(place), laps, nodes)
     circle = oriented(buffer(center.curve, radius))
     points = np.asarray(circle.exterior.coords)[:-1]
@@ -116,8 +114,3 @@ def _open_point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Open
     ring = LineString(np.vstack([points, points[:1]]))
     start = Start("point", circle, region, Helix(place, radius, angle), ring)
     return Opening(start, (center,), radius)
-
-
-def spacing_of(request: PocketRequest) -> float:
-    """Return the spacing of laps, b [mm]: the step-over, but no ridge may stay in a bend."""
-    return min(request.cutting.stepover, WIDEST * request.tool_diameter)

@@ -163,3 +163,12 @@ def test_center_of_a_square_is_its_middle_not_a_diagonal():
     (center,) = maximal_centers(region, medial_axis(region), 2.76, 2.4, 3.0)
     assert center.curve.length < 6.0
     assert center.curve.distance(Point(22, 22)) < 2.0
+
+
+def test_no_spiral_closes_round_an_island():
+    # the middle line leads most of the way round it
+    pocket = Point(0, 0).buffer(34).union(box(10, 14, 60, 34)).difference(Point(0, 0).buffer(8))
+    region, layout = lay(pocket, cutting=Cutting(0.6))
+    island = Polygon(region.interiors[0])
+    for spiral in layout.spirals:
+        assert not any(within.intersects(island.buffer(-0.1)) for within in spiral.within)

@@ -33,7 +33,7 @@ from ..floor import FloorPath
 from ..fronts import MAX_FRONTS, grow, largest, oriented
 from ..joints import walk_over
 from ..model import Floats, PocketRequest, Tick
-from ..openings import Opening, open_centers, spacing_of
+from ..openings import Opening, open_centers
 from ..ordering import SLACK, Step, order, runs_of
 from ..polyline import points_at
 from ..routing import route
@@ -42,6 +42,8 @@ from ..starts import Start
 from ..strokes import Stroke, strokes_of
 from .automatic import PIXELS, motion_of, passes_of, rules_of
 
+#: Laps are no farther apart than this over D: in a square bend they are 1.41 times as far.
+WIDEST = 0.7
 #: Places of a spiral's first lap where it may be begun.
 BEGINNINGS = 12
 #: So many of those with the least detour are tried, and along a longer way.
@@ -101,6 +103,8 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
     Parameters and errors are those of `floor_path`.
     """
     region = oriented(shapely.simplify(region, 0.001))
+    spacing = min(request.cutting.stepover, WIDEST * request.tool_diameter)
+    request = replace(request, cutting=replace(request.cutting, stepover=spacing))
     axis = medial_axis(region)
     opening = open_centers(region, axis, request)
     tick(0.2)
@@ -143,7 +147,7 @@ def _in_order(opening: Opening, axis: Skeleton, request: PocketRequest) -> list[
     middles = np.array([shapely.get_coordinates(c.curve.centroid)[0] for c in centers])
     turning = [i for i, c in enumerate(centers) if c.laps > 0]
     order_ = walk_over(opening.joints, turning, middles, axis) if turning else []
-    half, stepover, radius = opening.half_width, spacing_of(request), request.cutter_radius
+    half, stepover, radius = opening.half_width, request.cutting.stepover, request.cutter_radius
     return [spiral_about(centers[i], half, stepover, radius) for i in order_]
 
 
