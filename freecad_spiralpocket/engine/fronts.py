@@ -333,7 +333,8 @@ def _without_scraps(grown: Polygon, visited: Polygon, omega: Polygon, rules: Fro
 def _may_have_scraps(grown: Polygon, visited: Polygon, rules: FrontRules) -> bool:
     """Return whether a run of new points along the rings stays close to `visited`; quick."""
     for ring in (grown.exterior, *grown.interiors):
-        points = shapely.points(shapely.get_coordinates(ring))
+        # straight walls have no points of their own between the corners
+        points = shapely.points(shapely.get_coordinates(shapely.segmentize(ring, 1.0)))
         new = ~shapely.dwithin(visited, points, NEW)
         if not new.any() or new.all():
             continue
