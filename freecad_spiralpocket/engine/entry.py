@@ -17,13 +17,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import shapely
 from shapely import LineString, Point, Polygon
 
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot
 from .groove import groove_path
 from .model import Entry, Feeds, Floats
+from .polyline import points_at
 from .toolpath import Role, ToolpathBuilder
 
 #: Radius of the cutter center's circle over R at most: nearly R, and surely no post left.
@@ -91,14 +91,18 @@ def cut_entry(
     top: float,
     bottom: float,
     feeds: Feeds,
+    slack: float,
 ) -> None:
-    """Add the way down from the stock's `top` to `bottom`, beginning above `entry_start`."""
+    """Add the way down from the stock's `top` to `bottom`, beginning above `entry_start`.
+
+    Arcs keep within `slack` [mm] of the flat parts that they replace.
+    """
     if isinstance(entry, Helix):
         _cut_helix(builder, entry, angle, top, bottom, feeds)
     elif isinstance(entry, Groove):
-        _cut_points(builder, groove_path(entry, angle, top, bottom), angle, feeds)
+        _cut_points(builder, groove_path(entry, angle, top, bottom), angle, feeds, slack)
     else:
-        _cut_slot(builder, entry, angle, top, bottom, feeds)
+        _cut_slot(builder, entry, angle, top, bottom, feeds, slack)
 
 
 def _on_circle(helix: Helix, angle: float) -> Floats:
@@ -142,17 +146,21 @@ def _slot_levels(slot: Slot, top: float, bottom: float) -> int:
 
 
 def _cut_slot(
-    builder: ToolpathBuilder, slot: Slot, angle: float, top: float, bottom: float, feeds: Feeds
+    builder: ToolpathBuilder,
+    slot: Slot,
+    angle: float,
+    top: float,
+    bottom: float,
+    feeds: Feeds,
+    slack: float,
 ) -> None:
     """Add the loops of a slot: each begins with a ramp, the last one runs over its ramp again."""
     ring = _closed(slot.ring)
     levels = _slot_levels(slot, top, bottom)
     bite = (top - bottom) / levels
     ramp = bite / math.tan(angle)
+    corners = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(ring.coords, axis=0).T))])
     end = levels * ring.length
-    corners = np.concatenate(
-        [shapely.line_locate_point(ring, shapely.points(slot.ring)), [ring.length]]
-    )
     turns = np.arange(-math.ceil(ramp / ring.length), levels + 1)
     stops = (corners[None, :] + ring.length * turns[:, None]).ravel()
     # a loop's ramp ends `ramp` after it began, wherever the ring's first point is
@@ -166,17 +174,24 @@ def _cut_slot(
         np.sort(knees),
         np.repeat(top - bite * np.arange(levels + 1), 2)[1:-1],
     )
-    points = shapely.get_coordinates(shapely.line_interpolate_point(ring, s % ring.length))
+    points = points_at(ring, s % ring.length)
     start = (*entry_start(slot, angle, top, bottom), top)
     path = np.vstack([start, np.column_stack([points, heights])])
-    _cut_points(builder, path, angle, feeds)
+    _cut_points(builder, path, angle, feeds, slack)
 
 
-def _cut_points(builder: ToolpathBuilder, path: Floats, angle: float, feeds: Feeds) -> None:
-    """Go down onto the first point of a path and along it."""
+def _cut_points(
+    builder: ToolpathBuilder, path: Floats, angle: float, feeds: Feeds, slack: float
+) -> None:
+    """Go down onto the first point of a path and along it, its flat parts in lines and arcs."""
     x, y, z = path[0].tolist()
     builder.line((x, y, z), feeds.vertical, Role.ENTRY)
     steep = ramp_feed(feeds, angle)
-    sinking = np.diff(path[:, 2]) < -1e-9
-    for (x, y, z), sinks in zip(path[1:].tolist(), sinking.tolist(), strict=True):
-        builder.line((x, y, z), steep if sinks else feeds.horizontal, Role.ENTRY)
+    flat = np.abs(np.diff(path[:, 2])) < 1e-9
+    edges = np.flatnonzero(np.diff(flat)) + 1
+    for run in np.split(np.arange(1, len(path)), edges):
+        if flat[run[0] - 1]:
+            builder.along(path[run, :2], path[run[0], 2], feeds.horizontal, Role.ENTRY, slack)
+            continue
+        for x, y, z in path[run].tolist():
+            builder.line((x, y, z), steep, Role.ENTRY)

@@ -104,4 +104,4 @@ def _go_down(
     feeds, angle = request.feeds, request.entry.helix_angle
     builder.rapid(feeds.horizontal_rapid, *entry_start(entry, angle, top, bottom))
     builder.rapid(feeds.vertical_rapid, z=min(top + APPROACH, request.heights.safe))
-    cut_entry(builder, entry, angle, top, bottom, feeds)
+    cut_entry(builder, entry, angle, top, bottom, feeds, ARC_SHARE * request.tolerance)
