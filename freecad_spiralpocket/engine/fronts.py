@@ -123,7 +123,7 @@ def _stepped_ring(
     slim = 2 * shapely.area(Polygon(ring)) / ring.length
     spacing = SPACING * min(rules.cutter_radius, max(slim, 0.05 * rules.cutter_radius))
     points = ring_samples(ring, spacing)
-    soft = gaussian_filter1d(points, 2.0, axis=0, mode="wrap")
+    soft = gaussian_filter1d(points, SOFT / SPACING, axis=0, mode="wrap")
     tangent = (np.roll(soft, -1, axis=0) - np.roll(soft, 1, axis=0)) / 2
     bend = np.roll(soft, -1, axis=0) - 2 * soft + np.roll(soft, 1, axis=0)
     speed = np.hypot(tangent[:, 0], tangent[:, 1]) + 1e-12
@@ -239,8 +239,9 @@ def largest(shape: Region) -> Polygon:
 #: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
 #: much, over R: a step that jumps makes waves that grow from lap to lap.
 REACH, EVEN = 0.8, 0.9
-#: Distance of samples along a front, over R.
-SPACING = 0.2
+#: Distance of samples along a front, and width of the smoothing under which its bends are taken,
+#: over R or over the width of a slim one.
+SPACING, SOFT = 0.12, 0.4
 #: A front goes no farther than this beyond the last, over R: there the cutter reached over.
 REACHED = 0.92
 #: Radii tried to round a reentrant kink, over `FrontRules.closing`.

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
+from scipy.ndimage import gaussian_filter1d
 from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
@@ -25,6 +26,8 @@ from .strokes import CHORD, Stroke
 BLEND = 7.0
 #: Longest chord of a blend [mm]: round the tip of a slot it is tight.
 FINE_CHORD = 0.1
+#: The way across is evened out over so much [mm].
+EVEN = 1.0
 #: Places to leave a lap that are looked at.
 ZONES = 8
 #: Share of the zone over which that angle builds up, and dies away.
@@ -66,7 +69,11 @@ def blend(lap: LineString, start: float, target: LineString, length: float) -> F
     count = max(4, int(np.ceil(length / FINE_CHORD)))
     u = np.linspace(0.0, 1.0, count + 1)
     source = points_at(lap, (start + u * length) % lap.length)
-    onto = points_at(target, shapely.line_locate_point(target, shapely.points(source)))
+    across = shapely.line_locate_point(target, shapely.points(source))
+    # the nearest point jumps at every vertex of the chords that stand for a curve
+    across = np.unwrap(across, period=target.length)
+    across = gaussian_filter1d(across, EVEN / FINE_CHORD, mode="nearest")
+    onto = points_at(target, across % target.length)
     s = eased(u)[:, None]
     return (1 - s) * source + s * onto
 
