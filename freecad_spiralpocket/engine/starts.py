@@ -17,10 +17,10 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from scipy.ndimage import gaussian_filter1d
-from shapely import LineString, Polygon
+from shapely import LineString, Point, Polygon
 
 from .branches import feet_between, lengthened, slim_ring
-from .entry import fit_helix_radius
+from .entry import WIDEST, fit_helix_radius
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot
 from .fronts import buffer, largest, oriented
@@ -103,10 +103,14 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
         If there is no room for any entry.
     """
     axis = medial_axis(region)
+    if request.start_point is not None and region.distance(Point(request.start_point)) < (
+        request.cutter_radius
+    ):
+        return [_point(region, _roomy(region, axis, request), request)]
     starts: list[Start] = []
     failure = None
     try:
-        starts.append(_point(region, axis, request))
+        starts.append(_point(region, _innermost(region, axis), request))
     except CutterDoesNotFitError as error:
         failure = error
     # the axis round islands has no one path; a slot along a part of it is a poor start
@@ -135,11 +139,21 @@ def _slots(region: Polygon, axis: Skeleton, request: PocketRequest) -> list[Star
     return starts
 
 
-def _point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start:
+def _innermost(region: Polygon, axis: Skeleton) -> Floats:
+    """Return the place that is farthest from all walls."""
     if len(axis.nodes):
-        center = axis.nodes[int(np.argmax(axis.clearance))]
-    else:
-        center = np.array(shapely.maximum_inscribed_circle(region).coords[0])
+        return axis.nodes[int(np.argmax(axis.clearance))]
+    return np.array(shapely.maximum_inscribed_circle(region).coords[0])
+
+
+def _roomy(region: Polygon, axis: Skeleton, request: PocketRequest) -> Floats:
+    """Return the place nearest to the start point that was asked for with room for a helix."""
+    widest = float(region.boundary.distance(Point(_innermost(region, axis))))
+    roomy = buffer(region, -min(WIDEST * request.cutter_radius, 0.99 * widest))
+    return np.array(shapely.shortest_line(roomy, Point(request.start_point)).coords[0])
+
+
+def _point(region: Polygon, center: Floats, request: PocketRequest) -> Start:
     radius = fit_helix_radius(region, center, request.cutter_radius, request.entry)
     angles = np.linspace(0, 2 * np.pi, 97)[:-1]
     circle = center + radius * np.column_stack([np.cos(angles), np.sin(angles)])
@@ -219,9 +233,9 @@ def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketReques
     rim = LineString(visited.exterior.coords)
     room = shapely.distance(region.boundary, shapely.points(tips))
     first = int(np.argmax(np.round(room, 3)))
-    points = between(rim, rim.project(shapely.Point(tips[first])), rim.length)[:-1]
+    points = between(rim, rim.project(Point(tips[first])), rim.length)[:-1]
     ring = LineString(np.vstack([points, points[:1]]))
-    others = sorted(ring.project(shapely.Point(t)) for t in np.delete(tips, first, axis=0))
+    others = sorted(ring.project(Point(t)) for t in np.delete(tips, first, axis=0))
     feet = feet_between(ring, others, axis, edges)
     groove = Groove(points, tuple(others), tuple(feet), slot_bite(request))
     return Start("groove", visited, region, groove, ring)
