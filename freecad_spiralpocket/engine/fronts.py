@@ -268,7 +268,9 @@ SLIVER = 1e-3
 CORNER_FILLETS = (0.0, 0.17, 0.27, 0.4, 0.57, 0.77, 1.0, 1.3)
 #: These shares before the last stroke and for it: where the wall turns at once, the engagement
 #: jumps, so that less may be left for it.
-ROUND_BITES, SHARP_BITES = (0.65, 0.7), (0.5, 0.5)
+ROUND_BITES, SHARP_BITES = (0.65, 0.65), (0.5, 0.5)
+#: A stroke that takes more than this share of a corner is its last.
+LAST = 0.98
 #: A corner is sharp if the first of the fillets leaves more than this of it, over R.
 SHARP = 0.03
 
@@ -400,8 +402,10 @@ def _corner_step(
     bite, last = SHARP_BITES if sharp else ROUND_BITES
     taken: Region = piece
     for share, shape in zip(CORNER_FILLETS, opened, strict=True):
-        limit = (last if share == 0 else bite) * rules.stepover
         taken = piece if share == 0 else shapely.intersection(shape, piece)
+        # a fillet tighter than the corner itself leaves nothing for another stroke
+        is_last = taken.area > LAST * piece.area
+        limit = (last if is_last else bite) * rules.stepover
         points = shapely.points(shapely.get_coordinates(taken))
         if taken.area > SLIVER and shapely.dwithin(visited, points, limit).all():
             return taken

@@ -216,8 +216,10 @@ def _floor_path(
     mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
     strategy = _STRATEGIES[request.strategy]
     tick(0.0)
+    if mirrored:
+        region, request = _mirrored(region), _with_mirrored_start(request)
     try:
-        return strategy(_mirrored(region) if mirrored else region, request, tick)
+        return strategy(region, request, tick)
     except CancelledError:
         raise
     except SpiralPocketError as error:
@@ -237,6 +239,13 @@ def _curves(cuts: Sequence[Cut], request: PocketRequest) -> tuple[SplineCurve, .
             height = cut.room.level.bottom
             curves[id(cut.path)] = replace(curve, control_points=points, height=height)
     return tuple(curves.values())
+
+
+def _with_mirrored_start(request: PocketRequest) -> PocketRequest:
+    if request.start_point is None:
+        return request
+    x, y = request.start_point
+    return replace(request, start_point=(-x, y))
 
 
 def _mirrored(region: Polygon) -> Polygon:

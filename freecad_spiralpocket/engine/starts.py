@@ -103,9 +103,8 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
         If there is no room for any entry.
     """
     axis = medial_axis(region)
-    if request.start_point is not None and region.distance(Point(request.start_point)) < (
-        request.cutter_radius
-    ):
+    asked = request.start_point
+    if asked is not None and region.distance(Point(asked)) < request.tool_diameter:
         return [_point(region, _roomy(region, axis, request), request)]
     starts: list[Start] = []
     failure = None

@@ -166,3 +166,14 @@ def test_slot_bites_as_much_as_the_step_removes_but_not_too_deep():
     assert slot_bite(make_request(SQUARE)) == pytest.approx(1.8)  # 0.3 D
     shallow = make_request(SQUARE, cutting=Cutting(1.2))
     assert slot_bite(shallow) == pytest.approx(1.2 * 5 / 6)
+
+
+@pytest.mark.parametrize("mode", CutMode)
+@pytest.mark.parametrize("asked", [(12.0, 8.0), (0.5, 0.5)])
+def test_cutter_goes_down_near_the_start_point(mode, asked):
+    cutting = Cutting(stepover=2.4, cut_mode=mode)
+    result = automatic(L_SHAPE, start_point=asked, cutting=cutting)
+    first = next(p for p in result.toolpath.points if p[2] < 0)
+    # two radii off both walls, and the radius of the helix on
+    assert math.hypot(*(first[:2] - asked)) < 2 * result.request.tool_diameter
+    assert result.report.uncut_area < 0.01
