@@ -114,13 +114,18 @@ def _gouge(
 def _uncut(request: PocketRequest, levels: Sequence[Level], pieces: Pieces) -> MultiPolygon:
     """Return what the cutter could reach and left standing at any level.
 
-    What is cut at one level is cut above it too: of levels alike the lowest tells.
+    What is cut at one level is cut above it too: of levels alike the lowest tells. The motion at
+    a level nearly always clears it; what is deeper is looked at only where it does not.
     """
     r, left = request.cutter_radius, []
     for pocket, members in _alike(levels):
         bottom = levels[members[-1]].bottom
         reach = reachable_floor(pocket, r, request.cutting.stock_to_leave)
-        left.append(uncut_floor(reach, pieces, bottom, r, request.tolerance))
+        here = pieces.select(pieces.heights >= bottom - SAME_HEIGHT)
+        standing = uncut_floor(reach, here, bottom, r, request.tolerance)
+        if not standing.is_empty and len(here) < len(pieces):
+            standing = uncut_floor(reach, pieces, bottom, r, request.tolerance)
+        left.append(standing)
     if len(left) == 1:
         return left[0]
     return MultiPolygon(polygons_of(shapely.union_all(left)))
