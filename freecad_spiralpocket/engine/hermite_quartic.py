@@ -107,21 +107,19 @@ def fit_closed(points: Floats, deviation: float, guess: int = 8) -> ClosedQuarti
         curves[count] = _fit(closed, along, effort, count)
         return curves[count].deviation <= deviation
 
-    low, high = FEWEST - 1, int(np.clip(guess, FEWEST, MOST))
-    if keeps(high):
-        while high > FEWEST:
-            lower = max(FEWEST, high - max(1, high // 4))
-            if not keeps(lower):
-                low = lower
-                break
-            high = lower
+    # gallop away from the guess, then halve
+    guess, step = int(np.clip(guess, FEWEST, MOST)), 1
+    if keeps(guess):
+        low, high = FEWEST - 1, guess
+        while high > FEWEST and low < FEWEST:
+            lower = max(FEWEST, high - step)
+            low, high = (low, lower) if keeps(lower) else (lower, high)
+            step *= 2
     else:
-        low = high
-        while low < MOST:
-            high = min(MOST, low + max(1, low // 4))
-            if keeps(high):
-                break
-            low = high
+        low, high = guess, min(MOST, guess + step)
+        while not keeps(high) and high < MOST:
+            step *= 2
+            low, high = high, min(MOST, high + step)
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (low, middle) if keeps(middle) else (middle, high)
@@ -172,12 +170,13 @@ def _periodic(breaks: Floats) -> tuple[Floats, np.ndarray]:
 
 def _least_squares(breaks: Floats, u: Floats, points: Floats) -> Floats:
     knots, index = _periodic(breaks)
+    n, order = 2 * (len(breaks) - 1), DEGREE + 1
     matrix = BSpline.design_matrix(np.mod(u, 1.0), knots, DEGREE)
-    n = 2 * (len(breaks) - 1)
-    folded = np.zeros((len(u), n))
-    # each point has the same number of entries, no two in one column
-    rows = np.repeat(np.arange(len(u)), DEGREE + 1)
-    folded[rows, index[matrix.indices]] = matrix.data
-    square = folded.T @ folded
+    # each point has the same number of entries; their products are the normal equations
+    basis, column = matrix.data.reshape(-1, order), index[matrix.indices].reshape(-1, order)
+    pairs = (column[:, :, None] * n + column[:, None, :]).ravel()
+    products = (basis[:, :, None] * basis[:, None, :]).ravel()
+    square = np.bincount(pairs, products, n * n).reshape(n, n)
     square[np.diag_indices(n)] += 1e-9 * np.trace(square) / n
-    return np.asarray(np.linalg.solve(square, folded.T @ points))
+    right = [np.bincount(column.ravel(), (basis * x[:, None]).ravel(), n) for x in points.T]
+    return np.asarray(np.linalg.solve(square, np.column_stack(right)))

@@ -36,6 +36,8 @@ THIN = 0.96
 THIN_SLACK = 0.02
 #: Steps of the search for it.
 BISECTIONS = 6
+#: A neck's outline is no longer than this over the distance of its middle.
+LONGEST = 6.0
 #: Slots in necks reach into the rooms by these shares of the step-over, and their ends are rounded
 #: by these over R: the first that is thin enough is taken.
 OVERLAPS, ROUNDINGS = (1.0, 0.6, 0.3), (0.3, 0.1, 0.03)
@@ -56,7 +58,7 @@ def core_of(family: Family, room: Room) -> Lap | None:
             return Lap(_disc(center, width), math.nan, (), Helix(center, width))
     if not _is_thin(region, _width(family, region)):
         return None
-    if not region.interiors and not _pays(family, far - reach):
+    if not region.interiors and not pays(family, far - reach):
         return None
     return Lap(region, room.level, (), Slot(ring[:-1], slot_bite(request)))
 
@@ -80,7 +82,7 @@ def _width(family: Family, core: Polygon) -> float:
     return min(width, family.stepover) if core.interiors else width
 
 
-def _pays(family: Family, way: float) -> bool:
+def pays(family: Family, way: float) -> bool:
     """Return whether a slot is shorter than laps that creep so far along a ridge [mm]."""
     levels = math.ceil(family.request.axial_depth / slot_bite(family.request))
     return way / family.stepover > SLOT_PAYS * levels
@@ -136,7 +138,8 @@ def slots_for(family: Family, room: Room, rooms: list[Polygon], must_pay: bool) 
         if piece.area < 1e-3:
             continue
         far = distances(points_of(piece), rooms).max()
-        if must_pay and not _pays(family, far):
+        # a neck is about twice as long as its middle is far from the rooms; else it is no neck
+        if piece.length > LONGEST * far or (must_pay and not pays(family, far)):
             return []
         slot = _slot_about(family, room, piece)
         if slot is None:

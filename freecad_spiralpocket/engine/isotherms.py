@@ -236,6 +236,10 @@ def refitted(part: Polygon, deviation: float, guess: int = 8) -> tuple[Polygon, 
     See `hermite_quartic.fit_closed` for the arguments.
     """
     rings = (part.exterior, *part.interiors)
-    curves = [fit_closed(np.asarray(r.coords)[:-1], deviation, guess) for r in rings]
+    counts = [round(guess * r.length / part.exterior.length) for r in rings]
+    curves = [
+        fit_closed(np.asarray(r.coords)[:-1], deviation, count)
+        for r, count in zip(rings, counts, strict=True)
+    ]
     shell, *holes = [curve.sample(SPACING) for curve in curves]
     return oriented(Polygon(shell, holes)), len(curves[0].breaks) - 1

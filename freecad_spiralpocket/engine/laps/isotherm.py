@@ -34,7 +34,7 @@ from shapely import Polygon
 from ..errors import NotYetError
 from ..floor import FloorPath
 from ..fronts import oriented
-from ..isotherm_slots import core_of, core_share, slots_for
+from ..isotherm_slots import core_of, core_share, pays, slots_for
 from ..isotherms import (
     Family,
     Room,
@@ -55,6 +55,8 @@ from .closing import corner_fillet
 #: ends where the distance is this close to the step-over; distances are measured from every so
 #: many points of a lap.
 BISECTIONS, FIRST_SHARE, CLOSE, THINNED = 14, 0.08, 0.97, 4
+#: Refitted laps may be farther apart by this factor.
+REFITTED = 1.02
 #: A step of less than this share of the temperature left is no step.
 LEAST_STEP = 2e-3
 #: Below this share laps may creep along a neck; there these steps are tried with slots.
@@ -150,15 +152,17 @@ def _inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
     if low < SLOW:
         for share in NECK_STEPS:
             lines = isotherms(family.contours, room, level(share))
+            if low > LEAST_STEP and not pays(family, distances(some, lines).max()):
+                break
             slots = slots_for(family, room, lines, low > LEAST_STEP)
             if slots:
                 return rooms_at(family, room, level(share)), slots
     low = core_share(family, room, low, hottest)
     while low > LEAST_STEP:
         rooms = rooms_at(family, room, level(low))
-        if distances(points, [r.region for r in rooms]).max() <= family.stepover:
+        if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
             return rooms, []
-        low *= 0.97
+        low *= 0.95
     off = distances(points, isotherms(family.contours, room, level(LEAST_STEP)))
     x, y = points[int(np.argmax(off))]
     raise NotYetError(
