@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
 SOON = 15  # ms after a change until it is looked at, so that several changes are one
 QUIET = 300  # ms without a change after which proofs begin
-TOGETHER = 30  # ms, news within them is told once: each makes the window draw
+TOGETHER = 150  # ms, so long drafts of some pockets wait for those of the others: the window
+# draws once, which takes longer than a draft
 MOST_SHAPES = 500  # that are kept
 
 
@@ -126,7 +127,9 @@ class Outlook:
 
     def _tell_soon(self) -> None:
         """Tell the listeners, together with what else comes in a moment."""
-        if not self._news.isActive():
+        if all(p.is_drafted or p.is_settled for p in self.pockets):
+            self._news.start(0)
+        elif not self._news.isActive():
             self._news.start(TOGETHER)
 
     def _clear(self) -> None:

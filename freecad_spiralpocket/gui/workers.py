@@ -70,6 +70,8 @@ class ProcessWorker:
         process, self._listener = self._process, lambda message: None
         process.kill()
         process.waitForFinished(100)
+        # this may be called from one of its own signals, in which it must not be destroyed
+        QtCore.QTimer.singleShot(1000, lambda: process)
 
     def _send(self, record: Any) -> None:
         self._process.write(pickle.dumps(record, pickle.HIGHEST_PROTOCOL))

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work beside the window goes on when an interpreter is of no use or a process dies."""
+
+import pytest
+from window import pump, wait_for
+
+from freecad_spiralpocket.engine.errors import SpiralPocketError
+from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
+from freecad_spiralpocket.gui import workers
+from freecad_spiralpocket.gui.lane import Lane
+from freecad_spiralpocket.gui.tasks import Drawn
+from freecad_spiralpocket.gui.workers import Interpreters, ProcessWorker, ThreadWorker
+
+
+def square(side=30.0, stepover=2.4):
+    """Return the request for a square pocket."""
+    from shapely import box
+
+    return PocketRequest(
+        pocket=box(0, 0, side, side),
+        tool_diameter=6.0,
+        heights=Heights(8.0, 3.0, 0.0, -5.0, 6.0),
+        feeds=Feeds(50.0, 12.5, 83.0, 83.0),
+        cutting=Cutting(stepover=stepover),
+    )
+
+
+@pytest.fixture
+def lane():
+    """Return a lane with one worker."""
+    made = Lane(1)
+    yield made
+    made.close()
+
+
+def done(job):
+    """Wait for a job."""
+    wait_for(lambda: job.is_done, 60)
+    return job
+
+
+def worker(lane):
+    """Return the lane's worker."""
+    return lane._seats[0].worker
+
+
+def test_process_plans(lane):
+    job = done(lane.submit("plan", square()))
+    assert isinstance(job.result, Drawn)
+    assert isinstance(worker(lane), ProcessWorker)
+
+
+def test_what_cannot_be_cut_comes_back_as_an_error(lane):
+    job = done(lane.submit("plan", square(side=5.0)))
+    assert isinstance(job.error, SpiralPocketError) and "does not fit" in str(job.error)
+    assert job.error.place is not None
+
+
+@pytest.mark.parametrize("useless", ["/bin/false", "/bin/cat", "/no/such/python"])
+def test_useless_interpreter_is_left_out(lane, monkeypatch, useless):
+    good = workers._interpreters()
+    monkeypatch.setattr(Interpreters, "left", [useless, *good])
+    job = lane.submit("draft", square())
+    if useless == "/bin/cat":  # says nothing and stays: ended by hand, as a hanging one would be
+        pump(0.3)
+        worker(lane)._process.kill()
+    assert done(job).result is not None
+    assert useless not in Interpreters.left
+
+
+def test_other_libraries_are_refused(lane, monkeypatch):
+    monkeypatch.setattr(workers, "versions", lambda: ("another",))
+    monkeypatch.setattr(Interpreters, "left", workers._interpreters()[:1])
+    assert done(lane.submit("draft", square())).result is not None
+    assert isinstance(worker(lane), ThreadWorker)
+
+
+def test_dead_process_is_told_and_replaced(lane):
+    done(lane.submit("draft", square()))
+    job = lane.submit("plan", square(side=150.0, stepover=0.2))
+    pump(0.2)
+    worker(lane)._process.kill()
+    assert done(job).crash
+    assert done(lane.submit("draft", square())).result is not None
+
+
+def test_error_in_the_add_on_is_told(lane):
+    job = done(lane.submit("plan", "no request"))
+    assert "Traceback" in job.crash
+
+
+def test_same_work_is_one_job_and_lives_as_long_as_someone_holds_it(lane):
+    long = square(side=150.0, stepover=0.2)
+    one, other = lane.submit("plan", long), lane.submit("plan", long)
+    assert one is other
+    lane.give_up(one)
+    assert lane._seats[0].job is one
+    lane.give_up(other)
+    assert lane._seats[0].job is None
+    assert done(lane.submit("draft", square())).result is not None
+
+
+def test_thread_gives_up_and_does_the_next(lane, monkeypatch):
+    monkeypatch.setattr(Interpreters, "left", [])
+    lane.give_up(lane.submit("plan", square(side=150.0, stepover=0.2)))
+    assert done(lane.submit("draft", square())).result is not None
