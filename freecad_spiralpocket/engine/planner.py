@@ -80,13 +80,11 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     rooms, notices = rooms_of(levels_of(request), request.cutter_radius, stock)
 
     cuts, uncut = _cuts(rooms, request, progress)
-    proved = _proved(cuts, request, progress)
-    proved = repaired(
-        proved,
-        request,
-        partial(_proved, request=request, progress=progress),
-        partial(_planned_again, progress=progress),
+    prove_cuts = partial(
+        _proved, request=request, complete=len(cuts) == len(rooms), progress=progress
     )
+    again = partial(_planned_again, progress=progress)
+    proved = repaired(prove_cuts(cuts), request, prove_cuts, again)
     toolpath, report = proved.toolpath, proved.report
     _refuse_bad(proved, request)
     _tell(progress, 1.0, "Done")
@@ -95,7 +93,9 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     return Plan(request, toolpath, report, _curves(proved.cuts, request))
 
 
-def _proved(cuts: Sequence[Cut], request: PocketRequest, progress: Progress | None) -> Proved:
+def _proved(
+    cuts: Sequence[Cut], request: PocketRequest, complete: bool, progress: Progress | None
+) -> Proved:
     """Return the path of cuts with its feeds, and its proof."""
     drawn, owners = render(cuts, request)
     if request.cutting.cut_mode is CutMode.CONVENTIONAL:
@@ -106,7 +106,7 @@ def _proved(cuts: Sequence[Cut], request: PocketRequest, progress: Progress | No
     report = prove(request, toolpath, engagement)
     middles = ends_of(toolpath) - toolpath.lengths / 2  # feeds split moves
     hit = owners[moves_at(drawn, middles[sorted(report.hit_moves)])]
-    return Proved(cuts, toolpath, report, frozenset((int(c), int(p)) for c, p in hit))
+    return Proved(cuts, toolpath, report, frozenset((int(c), int(p)) for c, p in hit), complete)
 
 
 def _planned_again(
@@ -124,7 +124,7 @@ def _planned_again(
 def _refuse_bad(proved: Proved, request: PocketRequest) -> None:
     """Raise if a path must not be run."""
     report = proved.report
-    gouge, hit, _ = badness(report, request)
+    gouge, hit, _ = badness(proved, request)
     hint = "Try another step-over or strategy, and please report this pocket."
     if gouge:
         raise ProofError(

@@ -49,12 +49,15 @@ class Proved:
     hits : frozenset of tuple of int
         Which cuts, and which of their passes (-1: the way down), have rapids or links through
         stock.
+    complete : bool
+        Whether every room has a path; ground left in one without is nothing to repair.
     """
 
     cuts: Sequence[Cut]
     toolpath: Toolpath
     report: Report
     hits: frozenset[tuple[int, int]]
+    complete: bool = True
 
 
 #: Returns the proved path of cuts.
@@ -76,26 +79,28 @@ def repaired(
     """
     best, repair = proved, _Repair(request, plan_again)
     for _ in range(ROUNDS):
-        if not any(badness(best.report, request)):
+        if not any(badness(best, request)):
             break
         cuts = repair.mended(best)
         if cuts is None:
             break
         tried = prove_cuts(cuts)
-        if badness(tried.report, request) < badness(best.report, request):
+        if badness(tried, request) < badness(best, request):
             best = tried
     return best
 
 
-def badness(report: Report, request: PocketRequest) -> tuple[float, float, float]:
+def badness(proved: Proved, request: PocketRequest) -> tuple[float, float, float]:
     """Return how far a path is from being handed out: gouge, hits [mm], ground left [mm2].
 
     Each is 0 where it is good enough; the first that differs decides between two paths.
     """
+    report = proved.report
     gouge = report.gouge - request.tolerance - GOUGE_SLACK
     hit = max(report.rapid_hit, 0.0) + max(report.link_hit, 0.0)
     struck = report.rapid_hit > TOUCH or report.link_hit > TOUCH
-    return max(gouge, 0.0), hit if struck else 0.0, _left(report, request)
+    left = _left(report, request) if proved.complete else 0.0
+    return max(gouge, 0.0), hit if struck else 0.0, left
 
 
 def other_settings(request: PocketRequest) -> list[PocketRequest]:
@@ -175,7 +180,7 @@ def _is_link(path: FloorPath, number: int) -> bool:
 
 def _sick(proved: Proved, request: PocketRequest) -> list[Cut]:
     """Return the cuts that something is wrong with, by the worst that there is."""
-    gouge, hit, left = badness(proved.report, request)
+    gouge, hit, left = badness(proved, request)
     reach = request.cutter_radius + request.cutting.stock_to_leave + request.tolerance
     if gouge:
         place = proved.report.gouge_place

@@ -23,6 +23,7 @@ import Part
 import shapely
 from shapely import Polygon
 
+from ..engine.errors import GeometryError
 from ..engine.region import polygons_of
 from . import geometry
 from .selection import SAME_HEIGHT, Floor, wall_rises
@@ -70,6 +71,7 @@ class Walls:
         self._neighbors = neighbors_of(floor.solid) if neighbors is None else neighbors
         self._outline = geometry.polygon(floor, sag, use_outline=use_outline)
         self._free: dict[float, Polygon | None] = {}
+        self._down: dict[int, bool] = {}
         self._plain: dict[float, bool] = {}
         self._around = list(self._reached())
 
@@ -144,7 +146,7 @@ class Walls:
             free = self._outline
         else:
             around = self._section(self._around, z)
-            outlines = [Polygon(r) for r in around if _area(r) > 0]
+            outlines = [p for r in around if _area(r) > 0 for p in _polygons(r)]
             outlines = [p for p in outlines if p.intersects(self._outline)]
             if not outlines:
                 return None
@@ -153,7 +155,8 @@ class Walls:
                 known = {face.hashCode() for face in self._around}
                 inside = (f for f in self._over(free, z) if f.hashCode() not in known)
                 islands = [r for r in (*around, *self._section(inside, z)) if _area(r) < 0]
-                free = shapely.difference(free, shapely.union_all([Polygon(r) for r in islands]))
+                solid = shapely.union_all([p for r in islands for p in _polygons(r)])
+                free = shapely.difference(free, solid)
         free = shapely.difference(free, self._shadow(free, z))
         parts = [p for p in polygons_of(free) if p.intersects(self._outline)]
         if not parts:
@@ -175,15 +178,29 @@ class Walls:
         for face in faces:
             box = face.BoundBox
             if box.ZMin < z + ABOVE < box.ZMax:
-                for wire in face.slice(UP, z + ABOVE):
-                    chains += [_sided(edge, face, self._sag) for edge in wire.Edges]
+                try:
+                    edges = [e for wire in face.slice(UP, z + ABOVE) for e in wire.Edges]
+                    chains += [_sided(edge, face, self._sag) for edge in edges]
+                except (Part.OCCError, RuntimeError) as error:
+                    place = face.CenterOfMass
+                    raise GeometryError(
+                        f"The wall at {{at}} cannot be cut at Z{z:g}: {error}.",
+                        "Repair the part (Part workbench, Check Geometry).",
+                        (place.x, place.y),
+                    ) from error
         return [geometry.ring_points(ring) for ring in _rings(chains)]
+
+    def _looks_down(self, face: Any) -> bool:
+        key = face.hashCode()
+        if key not in self._down:
+            self._down[key] = looks_down(face)
+        return self._down[key]
 
     def _shadow(self, area: Polygon, z: float) -> shapely.Geometry:
         """Return what overhangs an area above `z`."""
         triangles = []
         for face in self._over(area, z):
-            if looks_down(face):
+            if self._looks_down(face):
                 corners, index = face.tessellate(SHADOW_SAG)
                 points = np.array([tuple(c) for c in corners])
                 triangles += [_above(points[list(i)], z) for i in index]
@@ -222,7 +239,7 @@ def place_on(face: Any) -> tuple[float, float]:
     """Return a place on a flat face, (x, y) [mm], well inside of it."""
     corners, triangles = face.tessellate(0.1)
     points = np.array([tuple(c)[:2] for c in corners])
-    largest = max((points[list(t)] for t in triangles), key=lambda t: abs(_area(t)))
+    largest = max((points[list(t)] for t in triangles), key=lambda t: abs(_area(t)), default=points)
     x, y = largest.mean(axis=0)
     return float(x), float(y)
 
@@ -260,6 +277,13 @@ def _rings(chains: list[list[geometry.Piece]]) -> list[list[geometry.Piece]]:
         else:
             rings.append(ring)
     return rings
+
+
+def _polygons(ring: np.ndarray) -> list[Polygon]:
+    """Return a ring as a polygon; several or none where it touches itself."""
+    if len(ring) < 3:
+        return []
+    return polygons_of(shapely.make_valid(Polygon(ring)))
 
 
 def _area(ring: np.ndarray) -> float:

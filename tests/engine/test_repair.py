@@ -10,11 +10,11 @@ from shapes import HEIGHTS, SQUARE, rounded
 from shapes import request as request_of
 
 from freecad_spiralpocket.engine import plan, planner
-from freecad_spiralpocket.engine.errors import ProofError
+from freecad_spiralpocket.engine.errors import NotYetError, ProofError
 from freecad_spiralpocket.engine.floor import FloorPath, Pass
 from freecad_spiralpocket.engine.laps import linear_morph
 from freecad_spiralpocket.engine.model import CutMode, Strategy
-from freecad_spiralpocket.engine.repair import badness, other_settings, with_lifts
+from freecad_spiralpocket.engine.repair import Proved, badness, other_settings, with_lifts
 from freecad_spiralpocket.engine.toolpath import Kind, Role
 
 STEPOVER = 2.4
@@ -81,6 +81,10 @@ def use(monkeypatch):
         return plan(request_of(SQUARE, strategy=Strategy.AUTOMATIC, **changes))
 
     return plan_by
+
+
+def refuses(region, request, tick):
+    raise NotYetError("Not this one.")
 
 
 @pytest.mark.parametrize("mode", CutMode)
@@ -162,7 +166,23 @@ def test_a_sound_path_is_proved_once(use, monkeypatch):
     prove = planner.prove
     monkeypatch.setattr(planner, "prove", lambda *args: proofs.append(1) or prove(*args))
     made = use(sound)
-    assert len(proofs) == 1 and not any(badness(made.report, made.request))
+    proved = Proved((), made.toolpath, made.report, frozenset())
+    assert len(proofs) == 1 and not any(badness(proved, made.request))
+
+
+def test_ground_in_a_room_without_a_path_is_no_fault(use, monkeypatch):
+    proofs = []
+    prove = planner.prove
+    monkeypatch.setattr(planner, "prove", lambda *args: proofs.append(1) or prove(*args))
+
+    def strategy(region, request, tick):
+        return (refuses if region.centroid.x > 0 else sound)(region, request, tick)
+
+    rooms = [rounded(box(x, 0, x + 30, 24), 4.0) for x in (-40, 10)]
+    both = rooms[0].union(rooms[1]).union(box(-12, 10, 12, 14))
+    monkeypatch.setitem(planner._STRATEGIES, Strategy.AUTOMATIC, strategy)
+    made = plan(request_of(both, strategy=Strategy.AUTOMATIC))
+    assert made.report.uncut_area > 100 and len(proofs) == 1
 
 
 def test_the_other_strategy_comes_last():
