@@ -17,7 +17,7 @@ from PySide import QtCore
 from ..engine.errors import SpiralPocketError
 from .workers import Interpreters, Message, ProcessWorker, make_worker
 
-PATIENCE = 400  # ms until a worker that should give up is ended
+PATIENCE = 1000  # ms until a worker that should give up is ended: a new one takes as long to start
 IDLE = 120_000  # ms without work after which the workers end
 
 
@@ -81,6 +81,12 @@ class _Seat:
         self.job, self._is_giving_up = None, True
         self.worker.give_up()
         self._patience.start(PATIENCE)
+
+    def wait(self, milliseconds: int) -> None:
+        """Wait a moment for the worker; its timer does not run while the window is kept waiting."""
+        self.worker.wait(milliseconds)
+        if self._patience.isActive() and self._patience.remainingTime() <= 0:
+            self._renew_and_go_on()
 
     def renew(self) -> None:
         """End the worker with what it does and make another."""
@@ -175,8 +181,8 @@ class Lane:
 
     def wait(self, milliseconds: int) -> None:
         """Wait a moment for the running jobs without letting the window do anything else."""
-        for seat in [s for s in self._seats if s.job is not None]:
-            seat.worker.wait(milliseconds)
+        for seat in [s for s in self._seats if not s.is_free]:
+            seat.wait(milliseconds)
 
     def go_on(self) -> None:
         """Give waiting jobs to free workers."""
