@@ -25,7 +25,7 @@ STRATEGY_NOTES = {
     ),
     "Linear Morph": QT_TRANSLATE_NOOP(
         "SpiralPocket",
-        "One exact B-spline from a circle to the wall, for pockets without islands",
+        "One exact B-spline from the middle to the wall, for pockets without islands",
     ),
     "Extended Archimedean": QT_TRANSLATE_NOOP(
         "SpiralPocket",

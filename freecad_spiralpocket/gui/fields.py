@@ -62,12 +62,6 @@ def set_property(obj: Any, name: str, value: Any) -> None:
         setattr(obj, name, value)
 
 
-def set_inch_decimals(widget: Any, decimals: int) -> None:
-    """Let a box that holds a length have so many decimals where the user's unit is the inch."""
-    if FreeCAD.Units.Quantity(10.0, FreeCAD.Units.Length).getUserPreferred()[1] > 20:
-        widget.setProperty("decimals", decimals)
-
-
 def expression(obj: Any, name: str) -> str | None:
     """Return the expression that rules a property, or None."""
     return next((text for path, text in obj.ExpressionEngine if path == name), None)
@@ -138,30 +132,30 @@ class Check(_Bound):
 
 
 class Quantity(_Bound):
-    """A length or an angle in a ``Gui::QuantitySpinBox``, with its unit and expression."""
+    """A length or an angle in a ``Gui::QuantitySpinBox``, with its unit and expression.
+
+    The box rounds to the user's decimals, in inches a tolerance to nothing: a value is written
+    only if another one was typed.
+    """
 
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         super().__init__(widget, obj, name)
         self._binding = PathGuiUtil.QuantitySpinBox(widget, obj, name)
+        self._shown = ""
 
     def _show(self) -> None:
         show_value(self._binding)
+        self._shown = self.widget.text()
 
     def write(self) -> None:
         """Write the value, or what its expression gives."""
-        self._binding.updateProperty()
+        if self.widget.text() != self._shown:
+            self._shown = self.widget.text()
+            self._binding.updateProperty()
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
         return [self.widget.valueChanged, self.widget.editingFinished]
-
-
-class FineLength(Quantity):
-    """A length of some hundredths of a millimeter."""
-
-    def __init__(self, widget: Any, obj: Any, name: str) -> None:
-        super().__init__(widget, obj, name)
-        set_inch_decimals(widget, 5)
 
 
 class LinkFeed(_Bound):

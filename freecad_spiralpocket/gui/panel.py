@@ -17,7 +17,7 @@ from ..op.properties import INHERITED, TABLE, option_names
 from .choices import strategy_note
 from .compat import PathOpGui, has_tool_controller_editor
 from .extras import FACTORIES, Extra
-from .fields import Check, Choice, Field, FineLength, LinkFeed, Number, Quantity
+from .fields import Check, Choice, Field, LinkFeed, Number, Quantity
 from .startpoint import StartPointField
 from .startup import RESOURCES
 from .stepover import StepOverField
@@ -38,7 +38,7 @@ FIELDS = (
     ("maxFeedRatio", "MaxFeedRatio", Number),
     ("finishingProfile", "FinishingProfile", Check),
     ("useOutline", "UseOutline", Check),
-    ("tolerance", "Tolerance", FineLength),
+    ("tolerance", "Tolerance", Quantity),
     ("linkFeed", "LinkFeed", LinkFeed),
     ("slotBite", "SlotBite", Quantity),
 )
@@ -57,6 +57,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
     tool_editors: Sequence[Any] = ()
     is_writing = False
     was_changed = False  # while writing
+    is_closed = False
 
     def getForm(self) -> Any:  # noqa: N802 - the name FreeCAD calls
         """Return the page's widgets."""
@@ -69,8 +70,9 @@ class OperationPage(PathOpGui.TaskPanelPage):
     def initPage(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Tie the widgets to the properties."""
         self.start_point = StartPointField(self.form, obj)
+        self.step_over = StepOverField(self.form, obj)
         self.fields = [
-            StepOverField(self.form, obj),
+            self.step_over,
             *(kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS),
             self.start_point,
         ]
@@ -92,6 +94,21 @@ class OperationPage(PathOpGui.TaskPanelPage):
         own = [self.form.toolController, self.form.coolantController]
         signals = [box.currentIndexChanged for box in own]
         return signals + [signal for field in self.fields for signal in field.signals()]
+
+    def registerSignalHandlers(self, obj: Any) -> None:  # noqa: N802
+        """Let the boxes of the step-over be tidied up when one is left."""
+        for box in self.step_over.boxes:
+            box.editingFinished.connect(self.tidy)
+
+    def tidy(self) -> None:
+        """Replace what was typed halfway; the operation may be gone, and the box lose its focus."""
+        if not self.is_closed:
+            self.step_over.show()
+
+    def pageGetFields(self) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Write all fields, unless the panel closes and a box loses its focus by that."""
+        if not self.is_closed:
+            super().pageGetFields()
 
     def getFields(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Write all fields to the properties."""
@@ -156,8 +173,9 @@ class OperationPage(PathOpGui.TaskPanelPage):
         for extra in self.extras:
             extra.computed()
 
-    def close_extras(self) -> None:
+    def close(self) -> None:
         """Close the extras; part of every way to close the panel."""
+        self.is_closed = True
         extras, self.extras = self.extras, ()
         for extra in extras:
             extra.close()

@@ -15,7 +15,7 @@ from PySide import QtGui
 
 from ..op import preferences, properties
 from .choices import choice_text
-from .fields import MINUTE, set_inch_decimals
+from .fields import MINUTE
 from .startup import RESOURCES
 
 translate = FreeCAD.Qt.translate
@@ -42,7 +42,6 @@ class PreferencePage:
         self.form.helixAngle.setProperty("unit", "deg")
         self.form.tolerance.setProperty("unit", "mm")
         self.form.linkFeed.setProperty("unit", "mm/min")
-        set_inch_decimals(self.form.tolerance, 5)
 
     def loadSettings(self) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show what is kept."""

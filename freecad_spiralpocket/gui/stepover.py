@@ -15,7 +15,7 @@ from typing import Any
 import FreeCAD
 
 from ..engine.stepover import engagement_angle, radial_depth
-from .fields import expression, set_inch_decimals, set_property, silent
+from .fields import expression, set_property, silent
 
 translate = FreeCAD.Qt.translate
 
@@ -30,14 +30,13 @@ class StepOverField:
 
     def __init__(self, form: Any, obj: Any) -> None:
         self.obj = obj
-        self.percent, self.length, self.angle = boxes = (
+        self.percent, self.length, self.angle = self.boxes = (
             form.stepOverPercent,
             form.stepOver,
             form.maxEngagement,
         )
-        self._shown = dict.fromkeys(boxes, "")
+        self._shown = dict.fromkeys(self.boxes, "")
         self.length.setProperty("unit", obj.OpToolDiameter.getUserPreferred()[2])
-        set_inch_decimals(self.length, 4)
         self.angle.setProperty("unit", obj.MaxEngagement.getUserPreferred()[2])
         self.angle.setProperty("binding", f"{obj.Name}.MaxEngagement")  # for expressions
         tips = (
@@ -49,9 +48,8 @@ class StepOverField:
                 "cutter's diameter, 180° in a full slot",
             ),
         )
-        for box, tip in zip(boxes, tips, strict=True):
+        for box, tip in zip(self.boxes, tips, strict=True):
             box.setToolTip(tip)
-            box.editingFinished.connect(self.show)  # tidies up what was typed halfway
 
     def show(self) -> None:
         """Show the step-over in all boxes, without any signal."""

@@ -88,7 +88,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         """Stop watching the document and give up the widgets; part of every way to close."""
         self.is_open = False
         FreeCAD.removeDocumentObserver(self)
-        self.operation_page.close_extras()
+        self.operation_page.close()
         super().panelCleanup()
         widgets = [self.buttonBox, *self.operation_page.tool_editors]
         QtCore.QTimer.singleShot(0, lambda: forget_widgets(widgets))

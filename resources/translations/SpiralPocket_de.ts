@@ -120,8 +120,8 @@
         <translation>Jede Tasche, auch mit Inseln und Engstellen: hält den Eingriff, kürzeste Zeit auf der Maschine</translation>
     </message>
     <message>
-        <source>One exact B-spline from a circle to the wall, for pockets without islands</source>
-        <translation>Ein exakter B-Spline vom Kreis bis zur Wand, für Taschen ohne Inseln</translation>
+        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
+        <translation>Ein exakter B-Spline von der Mitte bis zur Wand, für Taschen ohne Inseln</translation>
     </message>
     <message>
         <source>Even laps about the pocket's middle line, for long and branched pockets</source>
@@ -137,31 +137,31 @@
     </message>
     <message>
         <source>FreeCAD's Adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptive von FreeCAD</translation>
     </message>
     <message>
         <source>Compare...</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen...</translation>
     </message>
     <message>
         <source>All strategies side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Strategien nebeneinander</translation>
     </message>
     <message>
         <source>Compare strategies</source>
-        <translation type="unfinished"></translation>
+        <translation>Strategien vergleichen</translation>
     </message>
     <message>
         <source>Pocket {}, {:.0f} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasche {}, {:.0f} mm²</translation>
     </message>
     <message>
         <source>Use this</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese nehmen</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Cutting length</source>
@@ -173,7 +173,11 @@
     </message>
     <message>
         <source>99 % of it below</source>
-        <translation type="unfinished"></translation>
+        <translation>99 % davon unter</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
     </message>
     <message>
         <source>Mean engagement</source>
@@ -184,28 +188,24 @@
         <translation>Stehen geblieben</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>For comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Vergleich</translation>
     </message>
     <message>
-        <source>the fastest</source>
-        <translation type="unfinished"></translation>
+        <source>the fastest that keeps the limit of engagement</source>
+        <translation>die schnellste, die die Eingriffsgrenze hält</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Fehler, siehe Berichtsansicht.</translation>
     </message>
     <message>
         <source>Planning... {:.0f} %</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird geplant... {:.0f} %</translation>
     </message>
     <message>
         <source>No path</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Pfad</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -229,51 +229,51 @@
     </message>
     <message>
         <source>time [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit [s]</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramme der Spiraltasche</translation>
     </message>
     <message>
         <source>; the tool controller has no spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>; die Werkzeugsteuerung hat keine Spindeldrehzahl</translation>
     </message>
     <message>
         <source>engagement [°]</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingriff [°]</translation>
     </message>
     <message>
         <source>feed [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub [mm/min]</translation>
     </message>
     <message>
         <source>velocity [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit [mm/min]</translation>
     </message>
     <message>
         <source>Plots need the Python library matplotlib.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramme brauchen die Python-Bibliothek matplotlib.</translation>
     </message>
     <message>
         <source>Install it with the Addon Manager or pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem Addon-Manager oder pip installieren.</translation>
     </message>
     <message>
         <source>force [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft [N]</translation>
     </message>
     <message>
         <source>; force in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>; Kraft in {}</translation>
     </message>
     <message>
         <source>Plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramme</translation>
     </message>
     <message>
         <source>Engagement, feed, velocity and force along the time</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingriff, Vorschub, Geschwindigkeit und Kraft über der Zeit</translation>
     </message>
     <message>
         <source>Switched off.</source>
@@ -282,6 +282,10 @@
     <message>
         <source>This is the proved path.</source>
         <translation>Dies ist der geprüfte Pfad.</translation>
+    </message>
+    <message>
+        <source>Draft. Stopped; the next change goes on.</source>
+        <translation>Entwurf. Gestoppt; die nächste Änderung geht weiter.</translation>
     </message>
     <message>
         <source>Draft. The path is being proved: {:.0f} %</source>
@@ -301,11 +305,11 @@
     </message>
     <message>
         <source>Engagement [°]</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingriff [°]</translation>
     </message>
     <message>
         <source>Feed [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub [mm/min]</translation>
     </message>
     <message>
         <source>What the colors of the cut show</source>
@@ -398,22 +402,6 @@
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>Apply computes the path.</source>
-        <translation>Anwenden berechnet den Pfad.</translation>
-    </message>
-    <message>
-        <source>Time {}, cutting length {}</source>
-        <translation>Zeit {}, Schnittlänge {}</translation>
-    </message>
-    <message>
-        <source>Largest engagement {:.0f}°, {:.0f}° on a straight cut</source>
-        <translation>Größter Eingriff {:.0f}°, im geraden Schnitt {:.0f}°</translation>
-    </message>
-    <message>
-        <source>Uncut {}, gouge {}</source>
-        <translation>Ungeschnitten {}, Wandverletzung {}</translation>
     </message>
     <message>
         <source>The same step-over as a length, for this cutter</source>
@@ -748,7 +736,7 @@
     </message>
     <message>
         <source>More than {0} laps are left beside the spirals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neben den Spiralen bleiben mehr als {0} Umläufe.</translation>
     </message>
     <message>
         <source>No face is selected.</source>
@@ -777,6 +765,10 @@
     <message>
         <source>Repair the part (Part workbench, Check Geometry).</source>
         <translation>Das Werkstück reparieren (Arbeitsbereich Part, Geometrie überprüfen).</translation>
+    </message>
+    <message>
+        <source>Repairing the path</source>
+        <translation>Pfad wird nachgebessert</translation>
     </message>
     <message>
         <source>Select the floor face of the pocket.</source>
@@ -965,6 +957,10 @@
     <message>
         <source>The part with {0} is an open shell, not a closed solid.</source>
         <translation>Das Werkstück mit {0} ist eine offene Schale, kein geschlossener Körper.</translation>
+    </message>
+    <message>
+        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
+        <translation>Der Pfad wurde erzeugt, führe aber bei {at} {0} mm durch stehendes Material, wo er nicht schneiden soll; er wird nicht ausgegeben.</translation>
     </message>
     <message>
         <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
@@ -1244,10 +1240,6 @@
     <message>
         <source>From selection</source>
         <translation>Aus Auswahl</translation>
-    </message>
-    <message>
-        <source>What was measured on the path of the last Apply or OK</source>
-        <translation>Was am Pfad des letzten Anwenden oder OK gemessen wurde</translation>
     </message>
 </context>
 <context>

@@ -120,8 +120,8 @@
         <translation>Cualquier cajera, con islas y estrechos: mantiene el contacto, tiempo mínimo en la máquina</translation>
     </message>
     <message>
-        <source>One exact B-spline from a circle to the wall, for pockets without islands</source>
-        <translation>Una B-spline exacta del círculo a la pared, para cajeras sin islas</translation>
+        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
+        <translation>Una B-spline exacta del centro a la pared, para cajeras sin islas</translation>
     </message>
     <message>
         <source>Even laps about the pocket's middle line, for long and branched pockets</source>
@@ -137,31 +137,31 @@
     </message>
     <message>
         <source>FreeCAD's Adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptive de FreeCAD</translation>
     </message>
     <message>
         <source>Compare...</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar...</translation>
     </message>
     <message>
         <source>All strategies side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las estrategias lado a lado</translation>
     </message>
     <message>
         <source>Compare strategies</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar estrategias</translation>
     </message>
     <message>
         <source>Pocket {}, {:.0f} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>Cajera {}, {:.0f} mm²</translation>
     </message>
     <message>
         <source>Use this</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar esta</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo</translation>
     </message>
     <message>
         <source>Cutting length</source>
@@ -173,7 +173,11 @@
     </message>
     <message>
         <source>99 % of it below</source>
-        <translation type="unfinished"></translation>
+        <translation>El 99 % por debajo de</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Límite</translation>
     </message>
     <message>
         <source>Mean engagement</source>
@@ -184,28 +188,24 @@
         <translation>Sin cortar</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>For comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Para comparar</translation>
     </message>
     <message>
-        <source>the fastest</source>
-        <translation type="unfinished"></translation>
+        <source>the fastest that keeps the limit of engagement</source>
+        <translation>la más rápida que respeta el límite de contacto</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un error; vea la vista de informe.</translation>
     </message>
     <message>
         <source>Planning... {:.0f} %</source>
-        <translation type="unfinished"></translation>
+        <translation>Planificando... {:.0f} %</translation>
     </message>
     <message>
         <source>No path</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin trayectoria</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -229,51 +229,51 @@
     </message>
     <message>
         <source>time [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>tiempo [s]</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráficos de la cajera en espiral</translation>
     </message>
     <message>
         <source>; the tool controller has no spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>; el controlador no tiene velocidad de husillo</translation>
     </message>
     <message>
         <source>engagement [°]</source>
-        <translation type="unfinished"></translation>
+        <translation>contacto [°]</translation>
     </message>
     <message>
         <source>feed [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>avance [mm/min]</translation>
     </message>
     <message>
         <source>velocity [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad [mm/min]</translation>
     </message>
     <message>
         <source>Plots need the Python library matplotlib.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los gráficos necesitan la biblioteca Python matplotlib.</translation>
     </message>
     <message>
         <source>Install it with the Addon Manager or pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Instálela con el gestor de complementos o pip.</translation>
     </message>
     <message>
         <source>force [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>fuerza [N]</translation>
     </message>
     <message>
         <source>; force in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>; fuerza en {}</translation>
     </message>
     <message>
         <source>Plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráficos</translation>
     </message>
     <message>
         <source>Engagement, feed, velocity and force along the time</source>
-        <translation type="unfinished"></translation>
+        <translation>Contacto, avance, velocidad y fuerza a lo largo del tiempo</translation>
     </message>
     <message>
         <source>Switched off.</source>
@@ -282,6 +282,10 @@
     <message>
         <source>This is the proved path.</source>
         <translation>Esta es la trayectoria comprobada.</translation>
+    </message>
+    <message>
+        <source>Draft. Stopped; the next change goes on.</source>
+        <translation>Borrador. Detenido; el próximo cambio continúa.</translation>
     </message>
     <message>
         <source>Draft. The path is being proved: {:.0f} %</source>
@@ -301,11 +305,11 @@
     </message>
     <message>
         <source>Engagement [°]</source>
-        <translation type="unfinished"></translation>
+        <translation>Contacto [°]</translation>
     </message>
     <message>
         <source>Feed [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>Avance [mm/min]</translation>
     </message>
     <message>
         <source>What the colors of the cut show</source>
@@ -398,22 +402,6 @@
     <message>
         <source>unknown</source>
         <translation>desconocido</translation>
-    </message>
-    <message>
-        <source>Apply computes the path.</source>
-        <translation>Aplicar calcula la trayectoria.</translation>
-    </message>
-    <message>
-        <source>Time {}, cutting length {}</source>
-        <translation>Tiempo {}, longitud de corte {}</translation>
-    </message>
-    <message>
-        <source>Largest engagement {:.0f}°, {:.0f}° on a straight cut</source>
-        <translation>Contacto máximo {:.0f}°, {:.0f}° en corte recto</translation>
-    </message>
-    <message>
-        <source>Uncut {}, gouge {}</source>
-        <translation>Sin cortar {}, sobrecorte {}</translation>
     </message>
     <message>
         <source>The same step-over as a length, for this cutter</source>
@@ -748,7 +736,7 @@
     </message>
     <message>
         <source>More than {0} laps are left beside the spirals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quedan más de {0} vueltas junto a las espirales.</translation>
     </message>
     <message>
         <source>No face is selected.</source>
@@ -777,6 +765,10 @@
     <message>
         <source>Repair the part (Part workbench, Check Geometry).</source>
         <translation>Repare la pieza (banco Part, Comprobar geometría).</translation>
+    </message>
+    <message>
+        <source>Repairing the path</source>
+        <translation>Reparando la trayectoria</translation>
     </message>
     <message>
         <source>Select the floor face of the pocket.</source>
@@ -965,6 +957,10 @@
     <message>
         <source>The part with {0} is an open shell, not a closed solid.</source>
         <translation>La pieza con {0} es una cáscara abierta, no un sólido cerrado.</translation>
+    </message>
+    <message>
+        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
+        <translation>La trayectoria se hizo, pero en {at} atravesaría {0} mm de material donde no debe cortar; no se entrega.</translation>
     </message>
     <message>
         <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
@@ -1244,10 +1240,6 @@
     <message>
         <source>From selection</source>
         <translation>De la selección</translation>
-    </message>
-    <message>
-        <source>What was measured on the path of the last Apply or OK</source>
-        <translation>Medido en la trayectoria del último Aplicar o Aceptar</translation>
     </message>
 </context>
 <context>

@@ -120,8 +120,8 @@
         <translation>Toute poche, avec îlots et étranglements : tient l'engagement, temps machine minimal</translation>
     </message>
     <message>
-        <source>One exact B-spline from a circle to the wall, for pockets without islands</source>
-        <translation>Une B-spline exacte du cercle à la paroi, pour poches sans îlots</translation>
+        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
+        <translation>Une B-spline exacte du milieu à la paroi, pour poches sans îlots</translation>
     </message>
     <message>
         <source>Even laps about the pocket's middle line, for long and branched pockets</source>
@@ -137,31 +137,31 @@
     </message>
     <message>
         <source>FreeCAD's Adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptive de FreeCAD</translation>
     </message>
     <message>
         <source>Compare...</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparer...</translation>
     </message>
     <message>
         <source>All strategies side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes les stratégies côte à côte</translation>
     </message>
     <message>
         <source>Compare strategies</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparer les stratégies</translation>
     </message>
     <message>
         <source>Pocket {}, {:.0f} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>Poche {}, {:.0f} mm²</translation>
     </message>
     <message>
         <source>Use this</source>
-        <translation type="unfinished"></translation>
+        <translation>Utiliser celle-ci</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Temps</translation>
     </message>
     <message>
         <source>Cutting length</source>
@@ -173,7 +173,11 @@
     </message>
     <message>
         <source>99 % of it below</source>
-        <translation type="unfinished"></translation>
+        <translation>99 % en dessous de</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
     </message>
     <message>
         <source>Mean engagement</source>
@@ -184,28 +188,24 @@
         <translation>Non usiné</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>For comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>À titre de comparaison</translation>
     </message>
     <message>
-        <source>the fastest</source>
-        <translation type="unfinished"></translation>
+        <source>the fastest that keeps the limit of engagement</source>
+        <translation>la plus rapide qui tient la limite d'engagement</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une erreur, voir la vue rapport.</translation>
     </message>
     <message>
         <source>Planning... {:.0f} %</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcul... {:.0f} %</translation>
     </message>
     <message>
         <source>No path</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas de parcours</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -229,51 +229,51 @@
     </message>
     <message>
         <source>time [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>temps [s]</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Graphiques de la poche en spirale</translation>
     </message>
     <message>
         <source>; the tool controller has no spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation> ; le contrôleur d'outil n'a pas de vitesse de broche</translation>
     </message>
     <message>
         <source>engagement [°]</source>
-        <translation type="unfinished"></translation>
+        <translation>engagement [°]</translation>
     </message>
     <message>
         <source>feed [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>avance [mm/min]</translation>
     </message>
     <message>
         <source>velocity [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>vitesse [mm/min]</translation>
     </message>
     <message>
         <source>Plots need the Python library matplotlib.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les graphiques demandent la bibliothèque Python matplotlib.</translation>
     </message>
     <message>
         <source>Install it with the Addon Manager or pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Installez-la avec le gestionnaire d'extensions ou pip.</translation>
     </message>
     <message>
         <source>force [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>force [N]</translation>
     </message>
     <message>
         <source>; force in {}</source>
-        <translation type="unfinished"></translation>
+        <translation> ; force dans {}</translation>
     </message>
     <message>
         <source>Plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Graphiques</translation>
     </message>
     <message>
         <source>Engagement, feed, velocity and force along the time</source>
-        <translation type="unfinished"></translation>
+        <translation>Engagement, avance, vitesse et force au fil du temps</translation>
     </message>
     <message>
         <source>Switched off.</source>
@@ -282,6 +282,10 @@
     <message>
         <source>This is the proved path.</source>
         <translation>Ceci est le parcours vérifié.</translation>
+    </message>
+    <message>
+        <source>Draft. Stopped; the next change goes on.</source>
+        <translation>Ébauche. Arrêté ; le prochain changement reprend.</translation>
     </message>
     <message>
         <source>Draft. The path is being proved: {:.0f} %</source>
@@ -301,11 +305,11 @@
     </message>
     <message>
         <source>Engagement [°]</source>
-        <translation type="unfinished"></translation>
+        <translation>Engagement [°]</translation>
     </message>
     <message>
         <source>Feed [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>Avance [mm/min]</translation>
     </message>
     <message>
         <source>What the colors of the cut show</source>
@@ -398,22 +402,6 @@
     <message>
         <source>unknown</source>
         <translation>inconnu</translation>
-    </message>
-    <message>
-        <source>Apply computes the path.</source>
-        <translation>Appliquer calcule le parcours.</translation>
-    </message>
-    <message>
-        <source>Time {}, cutting length {}</source>
-        <translation>Temps {}, longueur de coupe {}</translation>
-    </message>
-    <message>
-        <source>Largest engagement {:.0f}°, {:.0f}° on a straight cut</source>
-        <translation>Engagement maximal {:.0f}°, {:.0f}° en coupe droite</translation>
-    </message>
-    <message>
-        <source>Uncut {}, gouge {}</source>
-        <translation>Non usiné {}, surcoupe {}</translation>
     </message>
     <message>
         <source>The same step-over as a length, for this cutter</source>
@@ -748,7 +736,7 @@
     </message>
     <message>
         <source>More than {0} laps are left beside the spirals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il reste plus de {0} tours à côté des spirales.</translation>
     </message>
     <message>
         <source>No face is selected.</source>
@@ -777,6 +765,10 @@
     <message>
         <source>Repair the part (Part workbench, Check Geometry).</source>
         <translation>Réparez la pièce (atelier Part, Vérifier la géométrie).</translation>
+    </message>
+    <message>
+        <source>Repairing the path</source>
+        <translation>Réparation du parcours</translation>
     </message>
     <message>
         <source>Select the floor face of the pocket.</source>
@@ -965,6 +957,10 @@
     <message>
         <source>The part with {0} is an open shell, not a closed solid.</source>
         <translation>La pièce avec {0} est une coque ouverte, pas un solide fermé.</translation>
+    </message>
+    <message>
+        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
+        <translation>Le parcours a été fait, mais traverserait en {at} {0} mm de matière là où il ne doit pas couper ; il n'est pas remis.</translation>
     </message>
     <message>
         <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
@@ -1244,10 +1240,6 @@
     <message>
         <source>From selection</source>
         <translation>Depuis la sélection</translation>
-    </message>
-    <message>
-        <source>What was measured on the path of the last Apply or OK</source>
-        <translation>Mesuré sur le parcours du dernier Appliquer ou OK</translation>
     </message>
 </context>
 <context>

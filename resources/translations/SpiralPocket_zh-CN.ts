@@ -120,8 +120,8 @@
         <translation>任意型腔，含岛屿和窄颈：保持啮合角，机床用时最短</translation>
     </message>
     <message>
-        <source>One exact B-spline from a circle to the wall, for pockets without islands</source>
-        <translation>从圆到侧壁的一条精确 B 样条，用于无岛屿型腔</translation>
+        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
+        <translation>从中部到侧壁的一条精确 B 样条，用于无岛屿型腔</translation>
     </message>
     <message>
         <source>Even laps about the pocket's middle line, for long and branched pockets</source>
@@ -137,31 +137,31 @@
     </message>
     <message>
         <source>FreeCAD's Adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>FreeCAD 自适应</translation>
     </message>
     <message>
         <source>Compare...</source>
-        <translation type="unfinished"></translation>
+        <translation>比较…</translation>
     </message>
     <message>
         <source>All strategies side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>并列比较全部策略</translation>
     </message>
     <message>
         <source>Compare strategies</source>
-        <translation type="unfinished"></translation>
+        <translation>比较策略</translation>
     </message>
     <message>
         <source>Pocket {}, {:.0f} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>型腔 {}，{:.0f} mm²</translation>
     </message>
     <message>
         <source>Use this</source>
-        <translation type="unfinished"></translation>
+        <translation>采用此项</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>用时</translation>
     </message>
     <message>
         <source>Cutting length</source>
@@ -173,7 +173,11 @@
     </message>
     <message>
         <source>99 % of it below</source>
-        <translation type="unfinished"></translation>
+        <translation>99 % 低于</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>上限</translation>
     </message>
     <message>
         <source>Mean engagement</source>
@@ -184,28 +188,24 @@
         <translation>未切除</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>For comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>用于比较</translation>
     </message>
     <message>
-        <source>the fastest</source>
-        <translation type="unfinished"></translation>
+        <source>the fastest that keeps the limit of engagement</source>
+        <translation>保持啮合上限的最快策略</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
-        <translation type="unfinished"></translation>
+        <translation>出错，见报告视图。</translation>
     </message>
     <message>
         <source>Planning... {:.0f} %</source>
-        <translation type="unfinished"></translation>
+        <translation>规划中… {:.0f} %</translation>
     </message>
     <message>
         <source>No path</source>
-        <translation type="unfinished"></translation>
+        <translation>无刀路</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -229,51 +229,51 @@
     </message>
     <message>
         <source>time [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>时间 [s]</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>
-        <translation type="unfinished"></translation>
+        <translation>螺旋型腔图表</translation>
     </message>
     <message>
         <source>; the tool controller has no spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>；刀具控制器没有主轴转速</translation>
     </message>
     <message>
         <source>engagement [°]</source>
-        <translation type="unfinished"></translation>
+        <translation>啮合角 [°]</translation>
     </message>
     <message>
         <source>feed [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>进给 [mm/min]</translation>
     </message>
     <message>
         <source>velocity [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>速度 [mm/min]</translation>
     </message>
     <message>
         <source>Plots need the Python library matplotlib.</source>
-        <translation type="unfinished"></translation>
+        <translation>图表需要 Python 库 matplotlib。</translation>
     </message>
     <message>
         <source>Install it with the Addon Manager or pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>请用插件管理器或 pip 安装。</translation>
     </message>
     <message>
         <source>force [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>切削力 [N]</translation>
     </message>
     <message>
         <source>; force in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>；切削力：{}</translation>
     </message>
     <message>
         <source>Plots</source>
-        <translation type="unfinished"></translation>
+        <translation>图表</translation>
     </message>
     <message>
         <source>Engagement, feed, velocity and force along the time</source>
-        <translation type="unfinished"></translation>
+        <translation>啮合角、进给、速度和切削力随时间变化</translation>
     </message>
     <message>
         <source>Switched off.</source>
@@ -282,6 +282,10 @@
     <message>
         <source>This is the proved path.</source>
         <translation>这是已验证的刀路。</translation>
+    </message>
+    <message>
+        <source>Draft. Stopped; the next change goes on.</source>
+        <translation>草稿。已停止；下次更改时继续。</translation>
     </message>
     <message>
         <source>Draft. The path is being proved: {:.0f} %</source>
@@ -301,11 +305,11 @@
     </message>
     <message>
         <source>Engagement [°]</source>
-        <translation type="unfinished"></translation>
+        <translation>啮合角 [°]</translation>
     </message>
     <message>
         <source>Feed [mm/min]</source>
-        <translation type="unfinished"></translation>
+        <translation>进给 [mm/min]</translation>
     </message>
     <message>
         <source>What the colors of the cut show</source>
@@ -398,22 +402,6 @@
     <message>
         <source>unknown</source>
         <translation>未知</translation>
-    </message>
-    <message>
-        <source>Apply computes the path.</source>
-        <translation>“应用”计算刀路。</translation>
-    </message>
-    <message>
-        <source>Time {}, cutting length {}</source>
-        <translation>用时 {}，切削长度 {}</translation>
-    </message>
-    <message>
-        <source>Largest engagement {:.0f}°, {:.0f}° on a straight cut</source>
-        <translation>最大啮合角 {:.0f}°，直线切削 {:.0f}°</translation>
-    </message>
-    <message>
-        <source>Uncut {}, gouge {}</source>
-        <translation>未切除 {}，过切 {}</translation>
     </message>
     <message>
         <source>The same step-over as a length, for this cutter</source>
@@ -748,7 +736,7 @@
     </message>
     <message>
         <source>More than {0} laps are left beside the spirals.</source>
-        <translation type="unfinished"></translation>
+        <translation>螺线旁仍剩超过 {0} 圈。</translation>
     </message>
     <message>
         <source>No face is selected.</source>
@@ -777,6 +765,10 @@
     <message>
         <source>Repair the part (Part workbench, Check Geometry).</source>
         <translation>请修复零件（Part 工作台，检查几何）。</translation>
+    </message>
+    <message>
+        <source>Repairing the path</source>
+        <translation>修复刀路</translation>
     </message>
     <message>
         <source>Select the floor face of the pocket.</source>
@@ -965,6 +957,10 @@
     <message>
         <source>The part with {0} is an open shell, not a closed solid.</source>
         <translation>含 {0} 的零件是开放壳体，不是封闭实体。</translation>
+    </message>
+    <message>
+        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
+        <translation>刀路已生成，但在 {at} 处会在不应切削的地方穿过 {0} mm 残余材料；不予输出。</translation>
     </message>
     <message>
         <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
@@ -1244,10 +1240,6 @@
     <message>
         <source>From selection</source>
         <translation>取自选择</translation>
-    </message>
-    <message>
-        <source>What was measured on the path of the last Apply or OK</source>
-        <translation>上次“应用”或“确定”后在刀路上测得的结果</translation>
     </message>
 </context>
 <context>

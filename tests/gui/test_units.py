@@ -1,26 +1,125 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel speaks the user's unit."""
+"""The panel speaks the user's unit, and is used from the keyboard."""
 
 import FreeCAD
 import pytest
-from window import CANCEL, press, press_toolbar_button, pump, select, widget
+from PySide import QtCore, QtGui
+from window import CANCEL, panel, press, press_toolbar_button, pump, select, widget
 
 INCHES = 3  # FreeCAD's number for inches with decimals
 
+#: The fields in the order in which the Tab key reaches them.
+TAB_ORDER = [
+    "toolController",
+    "coolantController",
+    "editToolController",
+    "strategy",
+    "stepOverPercent",
+    "stepOver",
+    "maxEngagement",
+    "cutMode",
+    "stockToLeave",
+    "zStockToLeave",
+    "helixAngle",
+    "helixDiameterLimit",
+    "machine",
+    "feedMode",
+    "slowdownPercent",
+    "maxFeedRatio",
+    "finishingProfile",
+    "useOutline",
+    "advanced",
+    "tolerance",
+    "linkFeed",
+    "slotBite",
+    "useStartPoint",
+    "startPointX",
+    "startPointY",
+    "pickStartPoint",
+]
 
-def test_length_is_shown_in_the_users_unit(job, floor):
+
+@pytest.fixture
+def inches(job):
+    """Let the user work in inches."""
     FreeCAD.Units.setSchema(INCHES)
     if hasattr(job.Document, "UnitSystem"):  # since 1.0 documents have a unit system of their own
         systems = job.Document.getEnumerationsOfProperty("UnitSystem")
         job.Document.UnitSystem = systems[INCHES]
-    try:
-        select(floor)
-        press_toolbar_button()
-        box = widget("helixDiameterLimit")
-        box.setProperty("rawValue", 25.4)
-        pump()
-        assert box.property("text").replace('"', "in").split() == ["1.00", "in"]
-        assert job.Operations.Group[0].HelixDiameterLimit.Value == pytest.approx(25.4)
-        press(CANCEL)
-    finally:
-        FreeCAD.Units.setSchema(0)
+    yield
+    FreeCAD.Units.setSchema(0)
+
+
+@pytest.fixture
+def operation(job, floor):
+    """Return a new operation whose panel is open; closed with Cancel."""
+    select(floor)
+    press_toolbar_button()
+    yield job.Operations.Group[0]
+    press(CANCEL)
+
+
+def text(box):
+    """Return what a box shows, as number and unit."""
+    return box.text().replace('"', " in").split()
+
+
+def type_into(box, letters):
+    """Replace what a box holds by typing."""
+    box.setFocus()
+    box.selectAll()
+    for letter in letters:
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            event = QtGui.QKeyEvent(kind, ord(letter.upper()), QtCore.Qt.NoModifier, letter)
+            QtGui.QApplication.sendEvent(box, event)
+    pump()
+
+
+def test_length_is_shown_in_the_users_unit(inches, operation):
+    box = widget("helixDiameterLimit")
+    box.setProperty("rawValue", 25.4)
+    pump()
+    assert text(box) == ["1.00", "in"]
+    assert operation.HelixDiameterLimit.Value == pytest.approx(25.4)
+
+
+def test_what_the_boxes_round_away_is_not_written(inches, operation):
+    assert text(widget("tolerance"))[0] == "0.00"  # of an inch, as FreeCAD shows 0.01 mm
+    operation.StockToLeave = 0.1234
+    widget("helixAngle").setProperty("rawValue", 4.0)
+    pump()
+    assert operation.HelixAngle.Value == 4
+    assert operation.Tolerance.Value == pytest.approx(0.01)
+    assert operation.StockToLeave.Value == pytest.approx(0.1234)
+    assert (operation.StepOver, operation.MaxEngagement.Value) == (40, 0)
+
+
+def test_feed_of_links_is_shown_in_the_users_unit(inches, operation):
+    operation.LinkFeed = 2540.0
+    assert text(widget("linkFeed")) == ["100.00", "in/min"]
+    assert operation.LinkFeed == 2540.0
+
+
+def test_inches_can_be_typed_where_millimeters_are_shown(operation):
+    type_into(widget("stepOver"), "0.06 in")
+    assert operation.MaxEngagement.Value == pytest.approx(60.53, abs=0.01)
+    assert operation.StepOver == 25
+    type_into(widget("maxEngagement"), "60")
+    assert (operation.StepOver, operation.MaxEngagement.Value) == (25, 0)
+    assert widget("stepOver").property("rawValue") == pytest.approx(1.5)
+
+
+def test_a_percentage_is_taken_while_it_is_typed(operation):
+    type_into(widget("stepOverPercent"), "33")
+    assert operation.StepOver == 33
+    assert widget("maxEngagement").property("rawValue") == pytest.approx(70.12, abs=0.01)
+
+
+def test_the_tab_key_follows_the_page(operation):
+    form, found = panel().operation_page.form, []
+    box = form.toolController
+    for _ in range(500):
+        if box.objectName() in TAB_ORDER and box.objectName() not in found:
+            found.append(box.objectName())
+        box = box.nextInFocusChain()
+    assert found == TAB_ORDER
