@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A picture of planned pockets: the path in the plane, colored by engagement.
 
-Shows the deepest level of each pocket, as measured on the finished path: where
-the color stays below the mark on the color bar, the cutter is loaded no more
-than on a straight cut at the step-over. Needs matplotlib, which FreeCAD's own
-packages carry; everything is drawn without a window.
+Shows the deepest level of each pocket, in the outline of its top where walls are slanted,
+as measured on the finished path: where the color stays below the mark on the color bar,
+the cutter is loaded no more than on a straight cut at the step-over. Needs matplotlib,
+which FreeCAD's own packages carry; everything is drawn without a window.
 """
 
 from __future__ import annotations
@@ -17,12 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .engine.errors import SetupError
+from .engine.levels import levels_of
 from .engine.model import Floats, Plan
 from .engine.toolpath import Kind, Role
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from shapely import Polygon
 
 #: Longest side of the drawing and its resolution.
 WIDTH, DPI = 16.0, 130  # in, 1/in
@@ -33,7 +35,7 @@ UNLOADED = np.radians(1)
 #: Angles per drawn chord of an arc [rad].
 ARC_STEP = np.radians(6)
 
-WALL, ISLAND, OUTLINE = "#f4f4f2", "#cfcfca", "#30302e"
+WALL, ISLAND, SLOPE, OUTLINE = "#f4f4f2", "#cfcfca", "#dcdcd7", "#30302e"
 ENTRY_COLOR, LINK_COLOR, IDLE_COLOR, RAPID_COLOR = "#d6248f", "#5b6770", "#a9c4de", "#9a9a9a"
 COLOR_MAP = "turbo"
 #: The color bar reaches at least this multiple of the limit: at the limit the path is green to
@@ -84,14 +86,15 @@ def draw(plans: Sequence[Plan], path: str | os.PathLike[str], title: str = "") -
 
 def _size(plans: Sequence[Plan]) -> tuple[float, float]:
     """Return the figure's size [in] for the pockets' common bounds."""
-    bounds = np.array([p.request.pocket.bounds for p in plans])
+    bounds = np.array([_mouth(p).bounds for p in plans])
     width, height = bounds[:, 2:].max(axis=0) - bounds[:, :2].min(axis=0)
     scale = min(WIDTH / width, 0.6 * WIDTH / height)
     return max(8.0, width * scale + 2.0), max(4.0, height * scale + 1.2)
 
 
 def _draw_pocket(axes: Axes, plan: Plan) -> None:
-    pocket = plan.request.pocket
+    pocket, mouth = plan.request.pocket, _mouth(plan)
+    axes.fill(*np.array(mouth.exterior.coords).T, facecolor=SLOPE, edgecolor=OUTLINE, lw=0.6)
     axes.fill(*np.array(pocket.exterior.coords).T, facecolor=WALL, edgecolor=OUTLINE, lw=1.2)
     for island in pocket.interiors:
         axes.fill(*np.array(island.coords).T, facecolor=ISLAND, edgecolor=OUTLINE, lw=1.2, zorder=3)
@@ -100,16 +103,24 @@ def _draw_pocket(axes: Axes, plan: Plan) -> None:
         axes.fill(*np.array(part.exterior.coords).T, color="#d73027", alpha=0.35, zorder=2)
 
 
+def _mouth(plan: Plan) -> Polygon:
+    """Return the outline of a pocket at its top."""
+    sections = plan.request.sections
+    return (sections[0].mouth or sections[0].pocket) if sections else plan.request.pocket
+
+
 def _draw_moves(axes: Axes, plan: Plan) -> None:
     """Draw entries, links, and below the colored path what cuts nothing."""
-    roles = plan.toolpath.roles
+    roles, heights = plan.toolpath.roles, plan.toolpath.points[:, 2]
+    deepest = heights < heights.min() + SAME_HEIGHT
+    downwards = heights < levels_of(plan.request)[-1].top + SAME_HEIGHT
     for role, color, width, label, order in (
         (Role.ENTRY, ENTRY_COLOR, 1.6, "entry", 5),
         (Role.LINK, LINK_COLOR, 0.6, "link at depth", 3.5),
         (Role.CUT, IDLE_COLOR, 0.9, "cut without load", 3.4),
         (Role.FINISH, IDLE_COLOR, 0.9, "cut without load", 3.4),
     ):
-        chosen = np.flatnonzero(roles == role)
+        chosen = np.flatnonzero((roles == role) & (downwards if role == Role.ENTRY else deepest))
         if len(chosen):
             axes.plot(*_polyline(plan, chosen).T, color=color, lw=width, label=label, zorder=order)
 
