@@ -164,7 +164,8 @@ def stops():
         planning._proved.clear()
         stop = Stop(stage)
         window.page.obj.touch()
-        window.document.recompute()
+        panel().compute()
+        assert stop.pressed is not None, f"the stage {stage} was not seen"
         found.append(time.monotonic() - stop.pressed)
         assert window.page.obj.PathLength.Value == 0
         pump(0.5)
