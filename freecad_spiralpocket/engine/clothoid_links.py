@@ -17,6 +17,7 @@ from itertools import product
 
 import numpy as np
 import shapely
+import shapely.ops
 from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
@@ -32,15 +33,15 @@ LEADS = ((1.0, 0.0), (0.5, 1.3), (0.35, 2.5))
 #: Distances along the rays at which straight pieces begin and end, over R.
 REACHES = (0.4, 1.0, 2.5, 6.0, 15.0)
 #: Shares of the room at a corner that its bi-clothoid takes.
-SHARES = (1.0, 0.5)
+SHARES = (1.0, 0.4)
 #: No corner turns farther than this [rad].
 SHARPEST = 2.7
 #: Points of each half corner and each straight piece when a link is timed and tested.
 CORNER, STRAIGHT = 7, 16
 #: Along a longer way: how much it is simplified, and how far rays run, over R.
-WAY_SLACKS, WAY_REACHES = (0.5, 0.2), (0.4, 1.0, 2.0)
+WAY_SLACKS, WAY_REACHES = (0.5, 0.15), (0.3, 0.8, 2.0)
 #: Corners with less room than this, over R, are not tried.
-TIGHTEST = 0.2
+TIGHTEST = 0.1
 #: So many of the fastest candidates are looked at closely.
 TRIED = 30
 
@@ -95,7 +96,9 @@ def clothoid_link(
             if len(corners) == 0:
                 continue
             paths = _sampled(out, back, corners, tangents)
-            free = cleared.are_free(paths)
+            # what turns away from the stock begins on the very edge of free ground
+            safe = CORNER - 1 if lead[1] > 0 else 0
+            free = cleared.are_free(paths[:, safe : paths.shape[1] - safe])
             times = np.where(free, link_times(paths, motion), np.inf)
             order = np.argsort(times, kind="stable")[: min(TRIED, int(free.sum()))]
             found += [(float(times[k]), i, out, back, corners[k], tangents[k]) for k in order]
@@ -136,12 +139,13 @@ def clothoid_way(
                 continue
             room = lengths * np.r_[1.0, np.full(len(lengths) - 2, 0.5), 1.0]
             room = np.minimum(room[:-1], room[1:])
-            if room.min() < TIGHTEST * radius:
+            if room.min() < TIGHTEST * radius or not _is_free(corners[1:-1], cleared):
                 continue
             for share in SHARES:
                 path = through(out, corners, (share * room).tolist()).then_back(back)
                 points = path.sampled(tolerance)
-                if fence.covers(LineString(points)) and _is_free(points, cleared):
+                safe = (out.length, path.length - back.length) if lead[1] > 0 else None
+                if fence.covers(LineString(points)) and _is_free(points, cleared, safe):
                     return path
     return None
 
@@ -154,8 +158,14 @@ def _between(way: Floats, *ends: tuple[Floats, float]) -> Floats:
     return way[keep]
 
 
-def _is_free(points: Floats, cleared: ClearedMap) -> bool:
-    fine = shapely.get_coordinates(shapely.segmentize(LineString(points), cleared.pixel))
+def _is_free(
+    points: Floats, cleared: ClearedMap, between: tuple[float, float] | None = None
+) -> bool:
+    """Return whether a path keeps to free ground, between two lengths along it [mm] if given."""
+    line = LineString(points)
+    if between is not None:
+        line = shapely.ops.substring(line, *between)
+    fine = shapely.get_coordinates(shapely.segmentize(line, cleared.pixel))
     return bool(cleared.are_free(fine))
 
 

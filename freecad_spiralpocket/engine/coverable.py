@@ -119,11 +119,15 @@ def _maximal(
 ) -> tuple[NDArray[np.intp], float] | None:
     """Return the nodes along the piece that covers most, and the height of its slice."""
     best, most = None, 0.0
+    steps = np.hypot(*(axis.nodes[axis.edges[:, 0]] - axis.nodes[axis.edges[:, 1]]).T)
     for offset in offsets:
         disc = np.pi * offset**2
         mask = left & (axis.clearance >= offset)
-        edges = axis.edges[mask[axis.edges].all(axis=1)]
-        label, totals = _parts(axis, edges)
+        above = mask[axis.edges].all(axis=1)
+        if not mask.any() or 2 * offset * steps[above].sum() + disc <= most:
+            continue
+        edges = axis.edges[above]
+        label, totals = _parts(len(mask), edges, steps[above])
         # no path in a part is longer than all of it
         bounds = np.where(np.bincount(label, mask) > 0, 2 * offset * totals + disc, 0.0)
         for part in np.argsort(-bounds, kind="stable").tolist():
@@ -139,15 +143,13 @@ def _maximal(
     return best
 
 
-def _parts(axis: Skeleton, edges: NDArray[np.intp]) -> tuple[NDArray[np.int32], Floats]:
+def _parts(n: int, edges: NDArray[np.intp], steps: Floats) -> tuple[NDArray[np.int32], Floats]:
     """Return in which connected part each node is, and the length of each part [mm]."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    n = len(axis.nodes)
     graph = coo_array((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(n, n))
     _, label = connected_components(graph.tocsr(), directed=False)
-    steps = np.hypot(*(axis.nodes[edges[:, 0]] - axis.nodes[edges[:, 1]]).T)
     totals = np.bincount(label[edges[:, 0]], steps, minlength=int(label.max()) + 1)
     return label, totals.astype(float)
 

@@ -47,7 +47,7 @@ WIDEST = 0.7
 #: Places of a spiral's first lap where it may be begun.
 BEGINNINGS = 12
 #: So many of those with the least detour are tried, and along a longer way.
-TRIED, ROUTED = 6, 4
+TRIED, ROUTED = 6, 6
 #: A spiral whose first lap passes this near begins without a link [mm].
 TOUCHES = 0.05
 #: It comes to its own over this length [mm].
