@@ -28,7 +28,7 @@ from .model import Floats
 
 DEGREE = 4
 #: Fewest patches of a closed curve, and most.
-FEWEST, MOST = 3, 400
+FEWEST, MOST = 3, 200
 #: Share of the breaks that follows the length; the rest follows the turning.
 BY_LENGTH = 0.35
 #: Turning is measured on points smoothed over this share of the length.

@@ -28,6 +28,9 @@ from .starts import slot_bite
 
 #: A core is opened by a slot where a helix would need more laps than this times its levels.
 SLOT_PAYS = 2.0
+#: One half as wide as this over R is opened by a slot if that saves a lap: the tips of such narrow
+#: laps would cut at full width.
+NARROW = 0.6
 #: The cutter, once round a core, clears what is nearer than this over R.
 CLEARED = 0.97
 #: Sought is one a little thinner than that.
@@ -58,7 +61,9 @@ def core_of(family: Family, room: Room) -> Lap | None:
             return Lap(_disc(center, width), math.nan, (), Helix(center, width))
     if not _is_thin(region, _width(family, region)):
         return None
-    if not region.interiors and not pays(family, far - reach):
+    narrow = region.boundary.distance(shapely.Point(center)) < NARROW * radius
+    worth = pays(family, far - reach) or (narrow and far - reach > family.stepover)
+    if not region.interiors and not worth:
         return None
     return Lap(region, room.level, (), Slot(ring[:-1], slot_bite(request)))
 

@@ -34,6 +34,9 @@ DEVIATION, LARGEST_DEVIATION = 0.04, 0.5
 HALVINGS = 6
 #: The last lap keeps off the wall by this [mm].
 INSET = 0.01
+#: It is refitted within these shares of that, the first that keeps off; about so long are its
+#: patches [mm].
+WALL_SHARES, WALL_PATCH = (1.0, 0.4), 5.0
 #: Steps along a gradient line.
 GRADIENT_STEPS = 4
 
@@ -155,7 +158,8 @@ def outer_room(family: Family) -> Room:
     fence = shapely.buffer(region, INSET)
     if family.deviation > 0:
         dense = shapely.segmentize(region, 2 * SPACING)
-        walls = (refitted(dense, INSET * 0.5**halving)[0] for halving in range(HALVINGS))
+        guess = round(region.length / WALL_PATCH)
+        walls = (refitted(dense, INSET * share, guess)[0] for share in WALL_SHARES)
         wall = next((w for w in walls if w.is_valid and fence.covers(w)), region)
     return Room(wall, 0.0, family.field.inside)
 
