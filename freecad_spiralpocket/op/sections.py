@@ -91,9 +91,6 @@ class _Shapes:
 
     def at(self, z: float) -> Polygon:
         """Return the pocket at Z `z`."""
-        floor = self._floor
-        if floor.open_edges:
-            z = min(z, floor.z)  # it stays within the floor at all heights
         if z >= self._rim - ABOVE:
             z = self._rim - 2 * ABOVE
         below = (flat - 2 * ABOVE for flat, _ in self._flats if flat - ABOVE < z)
@@ -101,7 +98,7 @@ class _Shapes:
             free = self._walls.free(height)
             if free is not None:
                 return free
-        free = self._walls.free(floor.z)
+        free = self._walls.free(self._floor.z)
         return self._walls.outline if free is None else free
 
     def ledges(self, low: float) -> list[float]:

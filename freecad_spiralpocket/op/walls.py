@@ -32,6 +32,8 @@ from .selection import SAME_HEIGHT, Floor, wall_rises
 ABOVE = 1e-3
 #: FreeCAD's sections of curved faces are out by up to this [mm].
 RIPPLE = 1e-4
+#: Free ground that comes so far from the solid leads out of it [mm].
+FENCE = 1.0
 #: A part of a normal up to this is none; a plane from a file may be out by so much [rad].
 LEVEL = 1e-5
 #: Normals are looked at in so many places each way.
@@ -74,6 +76,7 @@ class Walls:
         self._down: dict[int, bool] = {}
         self._plain: dict[float, bool] = {}
         self._around = list(self._reached())
+        self._fence = _fence(floor, sag) if floor.open_edges else None
 
     @property
     def outline(self) -> Polygon:
@@ -144,6 +147,11 @@ class Walls:
     def _find_free(self, z: float) -> Polygon | None:
         if z <= self._floor.z + SAME_HEIGHT:
             free = self._outline
+        elif self._fence is not None:
+            inside = self._fenced(z)
+            if inside is None:
+                return None
+            free = inside
         else:
             around = self._section(self._around, z)
             outlines = [p for r in around if _area(r) > 0 for p in _polygons(r)]
@@ -162,6 +170,21 @@ class Walls:
         if not parts:
             return Polygon()
         return Polygon(parts[0].exterior) if self._use_outline else parts[0]
+
+    def _fenced(self, z: float) -> Polygon | None:
+        """Return what is free up to the fence at the floor's open sides, None if it leaks."""
+        rings = self._section(self._floor.solid.Faces, z)
+        solid = shapely.symmetric_difference_all([p for r in rings for p in _polygons(r)])
+        box = self._floor.solid.BoundBox
+        outside = shapely.box(box.XMin, box.YMin, box.XMax, box.YMax).buffer(FENCE)
+        free = shapely.difference(outside, solid)
+        # beyond the ends of an open side the fence runs on to the first wall
+        fence = shapely.difference(self._fence, self._outline.buffer(-ABOVE))
+        posts = shapely.intersection(fence, free).buffer(ABOVE)
+        posts = [p for p in shapely.get_parts(posts) if p.intersects(self._outline)]
+        parts = polygons_of(shapely.difference(free, shapely.union_all(posts)))
+        inside = max(parts, key=lambda p: p.intersection(self._outline).area)
+        return None if inside.intersects(outside.exterior) else inside
 
     def _over(self, area: Polygon, z: float) -> Iterator[Any]:
         """Yield the faces that reach above `z` over the bounds of an area."""
@@ -216,6 +239,20 @@ def neighbors_of(solid: Any) -> Neighbors:
         for edge in face.Edges:
             faces[edge.hashCode()].append(face)
     return faces
+
+
+def _fence(floor: Floor, sag: float) -> shapely.Geometry:
+    """Return the open sides of a floor as lines, run on straight beyond their ends."""
+    lines = []
+    for edge in floor.face.OuterWire.Edges:
+        if not wall_rises(floor.solid, floor.face, edge):
+            pieces = geometry.pieces_of(edge, sag)
+            first, last = pieces[0], pieces[-1]
+            reach = 2 * floor.solid.BoundBox.DiagonalLength
+            corners = [piece.start for piece in pieces] + [last.end]
+            before, after = first.start - reach * first.heading, last.end + reach * last.arrival
+            lines.append(shapely.linestrings([before, *corners, after]))
+    return shapely.union_all(lines)
 
 
 def is_level(face: Any) -> bool:

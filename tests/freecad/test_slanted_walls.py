@@ -201,12 +201,17 @@ def test_holes_in_the_floor_are_no_islands(doc):
     assert all(not section.pocket.interiors for section in op.Proxy.plans[0].request.sections)
 
 
-def test_a_slanted_pocket_open_at_a_side_stays_within_its_floor(doc):
+def test_a_slanted_pocket_open_at_a_side_stays_within_its_floor_there(doc):
     shape = slanted_block((20, 20, 20, 20), DEPTH, 40.0, 30.0, 6.0)
     shape = shape.cut(Part.makeBox(40, 60, 40, Vector(30, -15, -30)))
     op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0)
     (plan,) = op.Proxy.plans
-    assert plan.request.pocket.bounds == pytest.approx((0, 0, 30, 30), abs=0.01)
+    slope = math.tan(math.radians(20))
+    for section in plan.request.sections:
+        wider = (section.z + DEPTH) * slope
+        wanted = (-wider, -wider, 30, 30 + wider)
+        assert section.pocket.bounds == pytest.approx(wanted, abs=0.01)
+    assert len(plan.request.sections) == 3
     assert any("open at a side" in notice for notice in op.Notices)
     assert len(gouges_of(op, shape)) == 0
 
