@@ -232,8 +232,14 @@ def test_any_convex_pocket_gets_laps_inside_its_region(pocket):
             assert fence.covers(LineString(part.points))
 
 
+def test_too_many_laps_are_refused(monkeypatch):
+    monkeypatch.setattr(isotherm, "MOST_LAPS", 4)
+    with pytest.raises(NotYetError, match="more than 4 laps"):
+        path_of(SQUARE)
+
+
 def test_a_neck_without_room_for_isotherms_is_refused_with_its_place():
-    rooms = box(0, 0, 40, 40).union(box(44, 0, 84, 40)).union(box(39, 17, 45, 23.02))
+    rooms = box(0, 0, 40, 40).union(box(44, 0, 84, 40)).union(box(39, 16.99, 45, 23.01))
     with pytest.raises(NotYetError, match=r"too narrow at X4\d\.\d Y20") as caught:
         path_of(rooms)
     assert caught.value.hint
