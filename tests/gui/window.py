@@ -6,6 +6,7 @@ whatever the window has to do needs a `pump`. A dialog that blocks is answered
 by an `Answer`, which looks for it while the test waits in it.
 """
 
+import gc
 import time
 from contextlib import contextmanager
 
@@ -127,9 +128,16 @@ def edit(obj):
 
 
 def dialog(name):
-    """Return the visible dialog with that object name, or None."""
-    tops = QtGui.QApplication.topLevelWidgets()
-    return next((w for w in tops if w.objectName() == name and w.isVisible()), None)
+    """Return the visible dialog with that object name, or None.
+
+    PySide 2 crashes if garbage with a widget in it is collected while it makes the list.
+    """
+    gc.disable()
+    try:
+        tops = QtGui.QApplication.topLevelWidgets()
+        return next((w for w in tops if w.objectName() == name and w.isVisible()), None)
+    finally:
+        gc.enable()
 
 
 class Answer:
