@@ -226,7 +226,9 @@ def _are_beyond(
     beyond[piece[~shapely.dwithin(visited, shapely.points(coords), reach)]] = True
     # the middle of a wide piece may be out of reach though its rim is not
     for i in np.flatnonzero(~beyond & (shapely.area(pieces) > reach**2)):
-        rest = shapely.difference(pieces[i], buffer(visited, reach))
+        x0, y0, x1, y1 = pieces[i].bounds
+        near = shapely.clip_by_rect(visited, x0 - reach, y0 - reach, x1 + reach, y1 + reach)
+        rest = shapely.difference(pieces[i], buffer(near, reach))
         beyond[i] = rest.area > SLIVER
     return beyond
 

@@ -158,7 +158,7 @@ def _spiral(
         before = fronts[first.level - 1]
         rings = [before.exterior, *before.interiors]
         sides = [LineString(shapely.get_coordinates(r)) for r in rings]
-        source = min(sides, key=laps[0].distance)
+        source = sides[int(shapely.STRtree(sides).query_nearest(laps[0], all_matches=False)[0])]
         at = zones(source, laps[0], radius, widest)
     count, here, place = 1, source, float(at[0])
     while count < len(chain) and needs[chain[count]] <= set(chain[:count]):

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 from shapely import LineString, Point, Polygon
 
@@ -310,13 +311,16 @@ def _island_ring(region: Polygon, request: PocketRequest) -> Start | None:
 
 def _bridges(islands: list[Polygon]) -> list[LineString]:
     """Return the shortest lines that join all islands, as a minimum spanning tree."""
+    from scipy.sparse import coo_array
     from scipy.sparse.csgraph import minimum_spanning_tree
 
     if len(islands) < 2:
         return []
     shapes = np.array(islands, dtype=object)
-    gaps = shapely.distance(shapes[:, None], shapes[None, :])
-    tree = minimum_spanning_tree(np.maximum(gaps, 1e-9)).tocoo()
+    pairs = _neighbors(islands)
+    gaps = np.maximum(shapely.distance(*shapes[pairs.T]), 1e-9)
+    graph = coo_array((gaps, (pairs[:, 0], pairs[:, 1])), shape=(len(islands),) * 2)
+    tree = minimum_spanning_tree(graph.tocsr()).tocoo()
     lines = []
     for a, b in zip(tree.row.tolist(), tree.col.tolist(), strict=True):
         line = shapely.shortest_line(islands[a], islands[b])
@@ -326,3 +330,15 @@ def _bridges(islands: list[Polygon]) -> list[LineString]:
         d = d / (np.hypot(*d) + 1e-12)
         lines.append(LineString([np.array([x0, y0]) - d, np.array([x1, y1]) + d]))
     return lines
+
+
+def _neighbors(islands: list[Polygon]) -> NDArray[np.intp]:
+    """Return the pairs of islands, shape (m, 2), that see each other; O(n log n)."""
+    from scipy.spatial import Delaunay
+
+    spacing = 0.5 * float(np.sqrt(min(i.area for i in islands)))
+    rings = [shapely.get_coordinates(i.exterior.segmentize(spacing))[:-1] for i in islands]
+    owner = np.repeat(np.arange(len(rings)), [len(r) for r in rings])
+    sides = Delaunay(np.vstack(rings)).simplices[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    pairs = np.sort(owner[sides], axis=1)
+    return np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0)
