@@ -1007,6 +1007,10 @@
         <translation>Der Startpunkt ist kein Ort.</translation>
     </message>
     <message>
+        <source>The wall at {at} cannot be cut at Z{0}: {1}.</source>
+        <translation>Die Wand bei {at} lässt sich auf Z{0} nicht schneiden: {1}.</translation>
+    </message>
+    <message>
         <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
         <translation>Die Wand der Tasche um {at} ist für die Zentrale Spirale zu zackig.</translation>
     </message>

@@ -1007,6 +1007,10 @@
         <translation>El punto de inicio no es un lugar.</translation>
     </message>
     <message>
+        <source>The wall at {at} cannot be cut at Z{0}: {1}.</source>
+        <translation>La pared en {at} no se puede cortar en Z{0}: {1}.</translation>
+    </message>
+    <message>
         <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
         <translation>La pared de la cajera cerca de {at} es demasiado dentada para Espiral central.</translation>
     </message>

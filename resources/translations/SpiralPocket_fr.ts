@@ -1007,6 +1007,10 @@
         <translation>Le point de départ n'est pas un lieu.</translation>
     </message>
     <message>
+        <source>The wall at {at} cannot be cut at Z{0}: {1}.</source>
+        <translation>La paroi en {at} ne peut être coupée à Z{0} : {1}.</translation>
+    </message>
+    <message>
         <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
         <translation>La paroi de la poche vers {at} est trop dentelée pour la Spirale centrale.</translation>
     </message>

@@ -1007,6 +1007,10 @@
         <translation>起点不是有效位置。</translation>
     </message>
     <message>
+        <source>The wall at {at} cannot be cut at Z{0}: {1}.</source>
+        <translation>{at} 处的侧壁无法在 Z{0} 剖切：{1}。</translation>
+    </message>
+    <message>
         <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
         <translation>{at} 附近的型腔侧壁过于参差，不适用“中心螺线”。</translation>
     </message>
