@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
+from functools import reduce
 from typing import Any, TypeAlias
 
 import FreeCAD
@@ -174,7 +175,8 @@ class Walls:
     def _fenced(self, z: float) -> Polygon | None:
         """Return what is free up to the fence at the floor's open sides, None if it leaks."""
         rings = self._section(self._floor.solid.Faces, z)
-        solid = shapely.symmetric_difference_all([p for r in rings for p in _polygons(r)])
+        areas = (p for r in rings for p in _polygons(r))
+        solid = reduce(shapely.symmetric_difference, areas, Polygon())
         box = self._floor.solid.BoundBox
         outside = shapely.box(box.XMin, box.YMin, box.XMax, box.YMax).buffer(FENCE)
         free = shapely.difference(outside, solid)
