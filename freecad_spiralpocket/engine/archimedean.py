@@ -31,7 +31,7 @@ WINDOW = 0.5
 ROUNDING = 0.5
 #: On the laps before it is larger by b each, so that they stay b apart there too, unless that
 #: takes the first lap this far off its distance, over b.
-FILLED = 0.3
+FILLED = 0.6
 #: Jumps of the shortest way between two laps are smoothed over this length [mm].
 SMOOTHING = 1.0
 #: It is sought among places this far apart [mm].
