@@ -8,6 +8,7 @@ and Debian 12 has a shapely that is too old.
 from __future__ import annotations
 
 from importlib import import_module
+from types import ModuleType
 
 from .errors import SetupError
 
@@ -15,6 +16,22 @@ _HINT = (
     "Install it with FreeCAD's Addon Manager (it is a dependency of Spiral Pocket) or with pip "
     "into the Python that FreeCAD uses, then start FreeCAD again."
 )
+
+
+def require(name: str) -> ModuleType:
+    """Return the library `name`.
+
+    Raises
+    ------
+    SetupError
+        If it is missing; the message names it.
+    """
+    try:
+        return import_module(name)
+    except ImportError as error:
+        raise SetupError(
+            f"Spiral Pocket needs the Python library {name}, which this FreeCAD lacks.", _HINT
+        ) from error
 
 
 def require_libraries() -> None:
@@ -26,12 +43,7 @@ def require_libraries() -> None:
         If one is missing or too old; the message names it.
     """
     for name in ("numpy", "scipy", "shapely"):
-        try:
-            module = import_module(name)
-        except ImportError as error:
-            raise SetupError(
-                f"Spiral Pocket needs the Python library {name}, which this FreeCAD lacks.", _HINT
-            ) from error
+        module = require(name)
         # versions cannot be parsed: Debian's build of shapely reports "0+unknown"
         if name == "shapely" and not hasattr(module, "get_coordinates"):
             raise SetupError(

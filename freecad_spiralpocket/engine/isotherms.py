@@ -10,21 +10,25 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import shapely
-from contourpy import ContourGenerator, LineType, contour_generator
 from numpy.typing import NDArray
 from scipy import ndimage
 from scipy.spatial import cKDTree
 from shapely import Polygon
 
+from .dependencies import require
 from .fronts import oriented
 from .hermite_quartic import fit_closed
 from .model import Floats, PocketRequest
 from .nested import SPACING, Mover
 from .poisson import HeatField, solve
 from .region import grow, polygons_of
+
+if TYPE_CHECKING:
+    from contourpy import ContourGenerator
 
 #: Nodes of the grid; more where the spacing would pass this share of the step-over, up to `MOST`.
 UNKNOWNS, COARSEST, MOST = 12_000, 0.5, 60_000
@@ -120,7 +124,10 @@ def family_of(
     spacing = max(min(even, COARSEST * stepover), math.sqrt(rounded.area / MOST))
     field = solve(rounded, spacing)
     values = np.ma.masked_invalid(field.values)
-    contours = contour_generator(*field.xy, values, line_type=LineType.Separate, corner_mask=False)
+    # comes with matplotlib 3.6, which not all FreeCADs have
+    contours = require("contourpy").contour_generator(
+        *field.xy, values, line_type="Separate", corner_mask=False
+    )
     return Family(field, contours, rounded, request, deviation)
 
 
