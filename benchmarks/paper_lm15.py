@@ -20,7 +20,7 @@ import shapely
 from feed_modes import DIAMETER, POCKETS, SPIRAL_STEP, compare
 from paper_pockets import pocket
 from scipy.interpolate import BSpline
-from shapely import LineString, Polygon, box
+from shapely import LineString, Point, Polygon, box
 
 from freecad_spiralpocket.engine.floor import Slot
 from freecad_spiralpocket.engine.laps import linear_morph
@@ -78,17 +78,19 @@ def exactness(shape: Polygon, diameter: float, step: float) -> dict[str, float |
     error = np.abs(spline(u) - equation_3(region, request, u)).max()
     spiral = LineString(path.passes[0].points)
     swept = [LineString(p.points).buffer(diameter / 2) for p in path.passes[:2]]
-    ring = path.entry.ring if isinstance(path.entry, Slot) else None
-    if ring is not None:
-        swept.append(LineString(np.vstack([ring, ring[:1]])).buffer(diameter / 2))
+    entry = path.entry
+    if isinstance(entry, Slot):
+        swept.append(LineString(np.vstack([entry.ring, entry.ring[:1]])).buffer(diameter / 2))
+    else:
+        swept.append(Point(entry.center).buffer(entry.radius + diameter / 2))
     left = region.buffer(diameter / 2 - 0.02).difference(shapely.union_all(swept))
     return {
-        "inner_curve": "circle" if ring is None else "slender",
+        "inner_curve": "slender" if isinstance(entry, Slot) else "circle",
         "control_points": len(curve.control_points),
         "error_mm": float(f"{error:.1e}"),
         "c2_jump": float(f"{curvature_jump(spline):.1e}"),
         "crossings": int(not spiral.is_simple),
-        "uncut_mm2": round(left.area, 3) if ring is not None else 0.0,
+        "uncut_mm2": round(left.area, 3),
         "seconds": round(min(seconds), 3),
     }
 
