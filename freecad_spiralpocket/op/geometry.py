@@ -109,7 +109,7 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
 
 def is_island(floor: Floor, wire: Any) -> bool:
     """Return whether a wall rises from the inner wire `wire`; else it is a hole in the floor."""
-    return any(wall_rises(floor.solid, floor.face, e) for e in wire.Edges)
+    return any(wall_rises(floor.neighbors, floor.face, e) for e in wire.Edges)
 
 
 def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floats:

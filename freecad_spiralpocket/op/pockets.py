@@ -73,11 +73,8 @@ class Pockets:
             if isinstance(floor, SpiralPocketError):
                 found.append((None, floor))
                 continue
-            key = floor.solid.hashCode()
-            if key not in self._known:
-                self._known[key] = walls.neighbors_of(floor.solid)
             try:
-                found.append((floor, self._request(floor, sound, self._known[key])))
+                found.append((floor, self._request(floor, sound)))
             except SpiralPocketError as error:
                 found.append((None, error))
         return found
@@ -154,7 +151,9 @@ class Pockets:
         key = (model.Name, name, model.Shape.hashCode())
         if key not in self._known:
             try:
-                self._known[key] = selection.floor(model, name)
+                self._known[key] = selection.floor(
+                    model, name, self._known.setdefault("neighbors", {})
+                )
             except SpiralPocketError as error:
                 return error
         return self._known[key]
@@ -163,15 +162,12 @@ class Pockets:
         self,
         floor: selection.Floor,
         floors: Sequence[selection.Floor],
-        neighbors: walls.Neighbors,
     ) -> PocketRequest:
         """Return the request for the pocket above a floor, one of those selected."""
         sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
         key = (id(floor), sag, self._obj.UseOutline)
         if key not in self._known:
-            self._known[key] = walls.Walls(
-                floor, sag, use_outline=self._obj.UseOutline, neighbors=neighbors
-            )
+            self._known[key] = walls.Walls(floor, sag, use_outline=self._obj.UseOutline)
         above = self._known[key]
         depth = request.final_depth(self._obj, floor.z, self._deepest)
         wanted = request.build(self._obj, above.outline, depth)

@@ -5,15 +5,17 @@ A floor is a flat, level face of a solid that looks up and has a wall rising fro
 its outline. Whether a wall rises or falls from an edge shows in the outward normal
 of the face on the edge's other side: it leans over the floor where the wall rises
 and away from it where the wall falls. At a fillet both are tangent, so there the
-height of the fillet's face decides. Bounding boxes alone would be wrong: an
-L-shaped side face of a boss is higher than the floor around it.
+height of the fillet's face decides. Heights decide as well where all of the
+neighbor lies on one side of the floor; bounding boxes alone would be wrong: an
+L-shaped side face of a boss is higher than the floor around it, and lower.
 """
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import FreeCAD
 import Part
@@ -29,6 +31,9 @@ SAME_HEIGHT = 1e-4
 _TANGENT = 1e-3
 #: Step from an edge into the floor [mm].
 _ASIDE = 1e-3
+
+#: The faces at each edge of a solid, by the edge's hash code.
+Neighbors: TypeAlias = dict[int, list[Any]]
 
 _PICK_A_FLOOR = "Select the floor of the pocket, a flat level face with walls around it."
 
@@ -48,6 +53,8 @@ class Floor:
         Height of the floor [mm].
     open_edges : int
         How many edges of the outline have no wall.
+    neighbors : dict
+        Of the solid.
     """
 
     model: Any
@@ -56,6 +63,7 @@ class Floor:
     solid: Any
     z: float
     open_edges: int
+    neighbors: Neighbors
 
     @property
     def label(self) -> str:
@@ -87,8 +95,14 @@ def selected(base: list[tuple[Any, Any]]) -> list[tuple[Any, str]]:
     return list(pairs.values())
 
 
-def floor(model: Any, name: str) -> Floor:
+def floor(model: Any, name: str, known: dict[int, Neighbors] | None = None) -> Floor:
     """Return the floor that the face `name` of `model` is.
+
+    Parameters
+    ----------
+    model, name : object, str
+    known : dict, optional
+        Neighbors of solids by their hash code; is added to.
 
     Raises
     ------
@@ -101,13 +115,17 @@ def floor(model: Any, name: str) -> Floor:
         raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
     _check_level(face, where)
     solid = _solid_of(model.Shape, face, where)
+    known = {} if known is None else known
+    if solid.hashCode() not in known:
+        known[solid.hashCode()] = neighbors_of(solid)
+    neighbors = known[solid.hashCode()]
     edges = face.OuterWire.Edges
-    walled = sum(wall_rises(solid, face, e) for e in edges)
+    walled = sum(wall_rises(neighbors, face, e) for e in edges)
     if not walled:
         raise SelectionError(
             f"{where} is not the floor of a pocket: no wall rises from it.", _PICK_A_FLOOR
         )
-    return Floor(model, name, face, solid, face.BoundBox.ZMin, len(edges) - walled)
+    return Floor(model, name, face, solid, face.BoundBox.ZMin, len(edges) - walled, neighbors)
 
 
 def heights(base: list[tuple[Any, Any]]) -> list[float]:
@@ -189,31 +207,45 @@ def _solid_of(shape: Any, face: Any, where: str) -> Any:
     return owners[0]
 
 
-def wall_rises(solid: Any, face: Any, edge: Any) -> bool:
+def neighbors_of(solid: Any) -> Neighbors:
+    """Return the faces at each edge of a solid."""
+    faces = defaultdict(list)
+    for face in solid.Faces:
+        for edge in face.Edges:
+            faces[edge.hashCode()].append(face)
+    return faces
+
+
+def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:
     """Return whether material rises from `edge` of the level face `face`."""
-    neighbor = next((f for f in solid.ancestorsOfType(edge, Part.Face) if not f.isSame(face)), None)
+    neighbor = next((f for f in neighbors[edge.hashCode()] if not f.isSame(face)), None)
     if neighbor is None:
         return False
+    z, box = face.BoundBox.ZMin, neighbor.BoundBox
+    above, below = box.ZMax > z + SAME_HEIGHT, box.ZMin < z - SAME_HEIGHT
+    if above != below:
+        return bool(above)
     t0, t1 = edge.ParameterRange
     t = (t0 + t1) / 2
     point = edge.valueAt(t)
     inward = FreeCAD.Vector(0, 0, 1).cross(edge.tangentAt(t))
     if inward.Length < _TANGENT:
-        return neighbor.BoundBox.ZMax > face.BoundBox.ZMin + SAME_HEIGHT
+        return bool(above)
     inward.normalize()
     if not face.isInside(point + inward * _ASIDE, _ASIDE / 10, True):
         inward = inward * -1
     lean = neighbor.normalAt(*neighbor.Surface.parameter(point)).dot(inward)
     if abs(lean) > _TANGENT:
         return lean > 0
-    return neighbor.BoundBox.ZMax > face.BoundBox.ZMin + SAME_HEIGHT
+    return bool(above)
 
 
 def find_floors(model: Any) -> Iterator[Floor]:
     """Yield every face of `model` that is the floor of a pocket, walled all around."""
+    known: dict[int, Neighbors] = {}
     for number in range(1, len(model.Shape.Faces) + 1):
         try:
-            found = floor(model, f"Face{number}")
+            found = floor(model, f"Face{number}", known)
         except SelectionError:
             continue
         if not found.open_edges:

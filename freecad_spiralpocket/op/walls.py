@@ -13,10 +13,9 @@ sections exactly in the plane of a face are not reliable, so they are taken a ha
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from functools import reduce
-from typing import Any, TypeAlias
+from typing import Any
 
 import FreeCAD
 import numpy as np
@@ -42,8 +41,6 @@ PLACES = 9
 #: Overhanging faces become triangles this far off at most [mm].
 SHADOW_SAG = 2e-3
 
-#: The faces at each edge of a solid, by the edge's hash code.
-Neighbors: TypeAlias = dict[int, list[Any]]
 
 UP = FreeCAD.Vector(0, 0, 1)
 
@@ -58,8 +55,6 @@ class Walls:
         Largest distance of sections from the true walls [mm].
     use_outline : bool
         Leave out all islands.
-    neighbors : dict, optional
-        Of the solid, where they are known already.
     """
 
     def __init__(
@@ -68,10 +63,9 @@ class Walls:
         sag: float,
         *,
         use_outline: bool = False,
-        neighbors: Neighbors | None = None,
     ) -> None:
         self._floor, self._sag, self._use_outline = floor, sag, use_outline
-        self._neighbors = neighbors_of(floor.solid) if neighbors is None else neighbors
+        self._neighbors = floor.neighbors
         self._outline = geometry.polygon(floor, sag, use_outline=use_outline)
         self._free: dict[float, Polygon | None] = {}
         self._down: dict[int, bool] = {}
@@ -121,7 +115,7 @@ class Walls:
             face
             for wire in wires
             for edge in wire.Edges
-            if wall_rises(floor.solid, floor.face, edge)
+            if wall_rises(floor.neighbors, floor.face, edge)
             for face in self._neighbors[edge.hashCode()]
         ]
         while front:
@@ -140,7 +134,7 @@ class Walls:
         higher = (
             e for e in face.Edges if any(f.BoundBox.ZMax > z for f in self._neighbors[e.hashCode()])
         )
-        return not any(wall_rises(self._floor.solid, face, e) for e in higher)
+        return not any(wall_rises(self._neighbors, face, e) for e in higher)
 
     def _is_wall(self, wire: Any) -> bool:
         return not self._use_outline or wire.isSame(self._floor.face.OuterWire)
@@ -234,20 +228,11 @@ class Walls:
         return shapely.union_all(shadows).buffer(SHADOW_SAG, quad_segs=2)
 
 
-def neighbors_of(solid: Any) -> Neighbors:
-    """Return the faces at each edge of a solid, by the edge's hash code."""
-    faces = defaultdict(list)
-    for face in solid.Faces:
-        for edge in face.Edges:
-            faces[edge.hashCode()].append(face)
-    return faces
-
-
 def _fence(floor: Floor, sag: float) -> shapely.Geometry:
     """Return the open sides of a floor as lines, run on straight beyond their ends."""
     lines = []
     for edge in floor.face.OuterWire.Edges:
-        if not wall_rises(floor.solid, floor.face, edge):
+        if not wall_rises(floor.neighbors, floor.face, edge):
             pieces = geometry.pieces_of(edge, sag)
             first, last = pieces[0], pieces[-1]
             reach = 2 * floor.solid.BoundBox.DiagonalLength
