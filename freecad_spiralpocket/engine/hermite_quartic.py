@@ -21,7 +21,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import BSpline
 from scipy.ndimage import gaussian_filter1d
 
 from .model import Floats
@@ -58,6 +57,8 @@ class ClosedQuartic:
     def at(self, u: Floats, order: int = 0) -> Floats:
         """Return points, or derivatives by the parameter, at parameters of shape (k,)."""
         knots, index = _periodic(self.breaks)
+        from scipy.interpolate import BSpline
+
         spline = BSpline(knots, self.controls[index], DEGREE)
         return np.asarray(spline(np.mod(u, 1.0), order))
 
@@ -171,6 +172,8 @@ def _periodic(breaks: Floats) -> tuple[Floats, np.ndarray]:
 def _least_squares(breaks: Floats, u: Floats, points: Floats) -> Floats:
     knots, index = _periodic(breaks)
     n, order = 2 * (len(breaks) - 1), DEGREE + 1
+    from scipy.interpolate import BSpline
+
     matrix = BSpline.design_matrix(np.mod(u, 1.0), knots, DEGREE)
     # each point has the same number of entries; their products are the normal equations
     basis, column = matrix.data.reshape(-1, order), index[matrix.indices].reshape(-1, order)

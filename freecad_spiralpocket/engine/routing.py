@@ -11,9 +11,6 @@ from __future__ import annotations
 import numpy as np
 import shapely
 from scipy import ndimage
-from scipy.interpolate import BSpline
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import dijkstra
 from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
@@ -59,6 +56,8 @@ def route(
 
 
 def _clamped(controls: Floats, count: int) -> Floats:
+    from scipy.interpolate import BSpline  # takes a quarter second to load
+
     n = len(controls)
     degree = min(3, n - 1)
     knots = np.concatenate([np.zeros(degree), np.linspace(0, 1, n - degree + 1), np.ones(degree)])
@@ -67,6 +66,9 @@ def _clamped(controls: Floats, count: int) -> Floats:
 
 def shortest_way(start: Floats, end: Floats, cleared: ClearedMap) -> Floats | None:
     """Return the shortest way over the coarse grid, its ends replaced by the exact ones."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import dijkstra
+
     free = cleared.near
     rows, columns = (n // COARSE for n in free.shape)
     blocks = free[: rows * COARSE, : columns * COARSE].reshape(rows, COARSE, columns, COARSE)

@@ -221,7 +221,7 @@ def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:
     neighbor = next((f for f in neighbors[edge.hashCode()] if not f.isSame(face)), None)
     if neighbor is None:
         return False
-    z, box = face.BoundBox.ZMin, neighbor.BoundBox
+    z, box = edge.BoundBox.ZMin, neighbor.BoundBox  # the box of a large face takes long
     above, below = box.ZMax > z + SAME_HEIGHT, box.ZMin < z - SAME_HEIGHT
     if above != below:
         return bool(above)
