@@ -34,6 +34,8 @@ TRIED = 8
 ROUTED = 6
 #: A spiral goes on to the next lap where that is no farther than this over the step-over.
 WIDEST = 1.3
+#: So many of the fastest links are checked point by point.
+CHECKED = 160
 #: Points of a link as it is cut.
 FINE = 193
 #: A link that may not leave the region may still do so by this much [mm].
@@ -263,7 +265,7 @@ def _next(
         paths = hermite_links(start, heading, starts[tried], headings[tried], radius)
         free = cleared.are_free(paths)
         times = np.where(free, link_times(paths, motion), np.inf)
-        for flat in np.argsort(times, axis=None, kind="stable")[: free.sum()][:40]:
+        for flat in np.argsort(times, axis=None, kind="stable")[: free.sum()][:CHECKED]:
             m, h = np.unravel_index(flat, times.shape)
             i = tried[int(m)]
             fine = hermite_links(start, heading, starts[[i]], headings[[i]], radius, FINE)[0, h]

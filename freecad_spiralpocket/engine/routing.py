@@ -21,7 +21,7 @@ COARSE = 3
 #: Longest chord of a link [mm].
 CHORD = 0.12
 #: Distances of control points tried, over R.
-SPACINGS = (3.0, 2.0, 1.3, 0.8)
+SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5)
 
 
 def route(

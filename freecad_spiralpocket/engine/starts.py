@@ -42,6 +42,8 @@ HALF_WIDTHS = (0.46, 0.42, 0.38, 0.33)
 UNFORKED, SPUR = 0.8, 1.6
 #: A racetrack is tried as well where walls are so near to the axis, over D: it clears all at once.
 NARROW = 1.0
+#: Ends of a groove with this share of the most room are as good.
+ROOMY = 0.8
 #: A groove is tried where a slot's bite stays below the equal one by this.
 CAPPED = 0.95
 #: Half the distance between the ways forth and back of a groove, over D.
@@ -232,7 +234,9 @@ def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketReques
     visited = slim_ring(branches, GROOVE_HALF_WIDTH * request.tool_diameter, region)
     rim = LineString(visited.exterior.coords)
     room = shapely.distance(region.boundary, shapely.points(tips))
-    first = int(np.argmax(np.round(room, 3)))
+    # the spiral begins where there is room; programs come from the origin
+    roomy = np.flatnonzero(room > ROOMY * room.max())
+    first = int(roomy[np.argmin(np.hypot(*tips[roomy].T))])
     points = between(rim, rim.project(Point(tips[first])), rim.length)[:-1]
     ring = LineString(np.vstack([points, points[:1]]))
     others = sorted(ring.project(Point(t)) for t in np.delete(tips, first, axis=0))
