@@ -42,13 +42,15 @@ def main():
         outbox.flush()
 
     sys.path[:] = pickle.load(sys.stdin.buffer)
-    inbox = queue.Queue()
-    threading.Thread(target=receive, args=(inbox,), daemon=True).start()
     from freecad_spiralpocket.engine.errors import SpiralPocketError
     from freecad_spiralpocket.gui.tasks import Tasks, versions
 
     tasks = Tasks()
     send("ready", versions())
+    # only now: reading a task imports what is in it, and two threads that import the same
+    # library at once find it half there
+    inbox = queue.Queue()
+    threading.Thread(target=receive, args=(inbox,), daemon=True).start()
     told, last = 0.0, ""
 
     def progress(fraction, stage):
