@@ -3,6 +3,7 @@
 
 import math
 
+import FreeCAD
 import FreeCADGui
 import pytest
 from conftest import DEPTH, add_job, floors, new_document, plate
@@ -215,21 +216,11 @@ def test_field_shows_what_was_changed_elsewhere(operation):
     assert widget("stockToLeave").property("rawValue") == pytest.approx(0.4)
 
 
-def evaluates_expressions(document):
-    """Return whether this FreeCAD evaluates a constant expression of a plain object."""
-    plain = document.addObject("App::FeaturePython", "Plain")
-    plain.addProperty("App::PropertyDistance", "Width")
-    document.recompute()
-    plain.setExpression("Width", "0.1 mm * 3")
-    document.recompute()
-    value = plain.Width.Value
-    document.removeObject(plain.Name)
-    return value == pytest.approx(0.3)
-
-
+@pytest.mark.xfail(
+    FreeCAD.Version()[1] == "20",
+    reason="known limit: FreeCAD 0.20 leaves the operation's constant expression unevaluated",
+)
 def test_expression_is_evaluated_and_kept(operation):
-    if not evaluates_expressions(operation.Document):
-        pytest.skip("this FreeCAD does not evaluate constant expressions")
     operation.setExpression("StockToLeave", "0.1 mm * 3")
     press(APPLY)
     assert widget("stockToLeave").property("rawValue") == pytest.approx(0.3)
