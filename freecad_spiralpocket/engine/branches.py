@@ -55,7 +55,7 @@ def lengthened(
     ends = [line.coords[i] for line in merged for i in (0, -1)]
     branches, tips = [], []
     for line in merged:
-        points = _smoothed(line, smoothing)
+        points = smoothed(line, smoothing)
         for i in (0, -1):
             if ends.count(line.coords[i]) == 1:
                 points = _gone_on(points[::-1] if i == 0 else points, region)
@@ -65,7 +65,7 @@ def lengthened(
     return branches, np.array(tips)
 
 
-def _smoothed(line: LineString, width: float) -> Floats:
+def smoothed(line: LineString, width: float) -> Floats:
     """Return a line with its bends smoothed and its ends where they were."""
     count = max(4, int(line.length / SAMPLING))
     points = points_at(line, np.linspace(0, line.length, count))
@@ -96,7 +96,9 @@ def slim_ring(branches: list[Floats], half: float, region: Polygon) -> Polygon:
     return largest(shapely.intersection(shape, region))
 
 
-def feet_between(ring: LineString, tips: list[float], axis: Skeleton, edges: Edges) -> list[float]:
+def feet_between(
+    ring: LineString, tips: list[float], axis: Skeleton, edges: Edges
+) -> tuple[list[float], float]:
     """Return where between successive tips the ring is nearest to its beginning, along the tree.
 
     Parameters
@@ -105,13 +107,21 @@ def feet_between(ring: LineString, tips: list[float], axis: Skeleton, edges: Edg
         Closed, from the first tip on.
     tips : list of float
         The others, in order along it [mm].
+
+    Returns
+    -------
+    feet : list of float
+        One between each two of `tips` [mm].
+    trunk : float
+        How far the nearest of them is from the first tip; without any, the other tip [mm].
     """
     nodes, distances = distances_from(axis, edges, np.array(ring.coords[0]))
     tree = cKDTree(nodes)
-    feet = []
+    feet, trunk = [], tips[0]
     for a, b in pairwise(tips):
         s = np.linspace(a, b, max(3, int((b - a) / SAMPLING)))
         near = distances[tree.query(points_at(ring, s))[1]]
         low = np.flatnonzero(near <= near.min() + 1e-9)
         feet.append(float(s[low[len(low) // 2]]))
-    return feet
+        trunk = min(trunk, float(near.min()))
+    return feet, trunk

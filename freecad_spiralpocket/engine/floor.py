@@ -62,6 +62,8 @@ class Groove:
     feet : tuple of float
         Between each of them and the next: where the way from one to the other is nearest to the
         first point, along the tree [mm]. One fewer.
+    trunk : float
+        Distance from the first point to the nearest of these, or to the only other tip [mm].
     bite : float
         Largest axial depth of one level [mm].
     """
@@ -69,6 +71,7 @@ class Groove:
     ring: Floats
     tips: tuple[float, ...]
     feet: tuple[float, ...]
+    trunk: float
     bite: float
 
 

@@ -22,6 +22,8 @@ from .spiral import between
 
 #: Chords of half a turn.
 CHORDS = 10
+#: A loop keeps within this share of its branch.
+ROOM = 0.8
 #: Between two branches the cutter rises by one level over so much, over the bite.
 RISE = 2.0
 
@@ -52,24 +54,25 @@ def groove_path(groove: Groove, angle: float, top: float, bottom: float) -> Floa
     bite = (top - bottom) / count
     ring = LineString(np.vstack([groove.ring, groove.ring[:1]]))
     tips = [0.0, *groove.tips, ring.length]
-    feet = [*groove.feet, ring.length]  # behind each tip but the last
-    first = 0
-    if count % 2 == 1:  # along a line, from its far end
-        first = 1
+    feet = groove.feet  # behind each tip but the first and the last
+    rooms = _rooms(groove, ring.length)
+    first = count % 2  # an odd number of passes along a line begins at its far end
     pieces = []
     level = 0
     while level < count:
         for i in range(first, len(tips) - 1):
             last = i == len(tips) - 2
-            pieces.append(_ramp(ring, tips[i], bite, angle, top - bite * level))
+            pieces.append(_ramp(ring, tips[i], rooms[i], bite, angle, top - bite * level))
             level += 1
             z = top - bite * level
             if last or i == 0:
                 pieces.append(_flat(ring, tips[i], tips[i + 1], z))
             else:
-                pieces.append(_flat(ring, tips[i], feet[i - 1], z))
+                foot, risen = feet[i - 1], feet[i - 1] + RISE * bite
+                pieces.append(_flat(ring, tips[i], foot, z))
+                pieces.append(_sloped(between(ring, foot, risen - foot), z, z + bite))
                 level -= 1
-                pieces.append(_flat(ring, feet[i - 1] + RISE * bite, tips[i + 1], z + bite))
+                pieces.append(_flat(ring, risen, tips[i + 1], z + bite))
         first = 0
     path = np.vstack(pieces)
     moved = np.abs(np.diff(path, axis=0)).max(axis=1) > 1e-9
@@ -81,13 +84,40 @@ def _flat(ring: LineString, start: float, end: float, z: float) -> Floats:
     return np.column_stack([points, np.full(len(points), z)])
 
 
-def _ramp(ring: LineString, tip: float, fall: float, angle: float, high: float) -> Floats:
-    """Return a slim loop about a tip of the ring, out and back to it, down by `fall`."""
-    reach = min(fall / math.tan(angle) / 2, 0.2 * ring.length)
+def _rooms(groove: Groove, length: float) -> list[float]:
+    """Return how far a loop may go on both sides of each tip, the ring's beginning first [mm].
+
+    Up to near the foot of its branch, along a line up to near the other tip.
+    """
+    if len(groove.tips) == 1:
+        return [ROOM * groove.trunk] * 2
+    rooms = [groove.trunk]
+    # the foot on one side at least is that of the tip's own branch
+    bounds = [0.0, *groove.feet, length]
+    for i, tip in enumerate(groove.tips):
+        rooms.append(min(tip - bounds[i], bounds[i + 1] - tip))
+    return [ROOM * room for room in rooms]
+
+
+def _ramp(
+    ring: LineString, tip: float, room: float, fall: float, angle: float, high: float
+) -> Floats:
+    """Return slim loops about a tip of the ring, out and back to it, down by `fall`.
+
+    As many as the ramp angle needs where one may not go farther than `room`.
+    """
+    needed = fall / math.tan(angle) / 2
+    loops = math.ceil(needed / room - 1e-9)
+    reach = needed / loops
     out, back = between(ring, tip, reach), between(ring, tip - reach, reach)
-    points = np.vstack([out, _turn(out[-1], back[0], out[-1] - out[-2])[1:-1], back])
+    loop = np.vstack([out, _turn(out[-1], back[0], out[-1] - out[-2])[1:-1], back])
+    return _sloped(np.vstack([loop] * loops), high, high - fall)
+
+
+def _sloped(points: Floats, start: float, end: float) -> Floats:
+    """Return points with their heights, even from `start` to `end`."""
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
-    return np.column_stack([points, high - fall * along / along[-1]])
+    return np.column_stack([points, start + (end - start) * along / along[-1]])
 
 
 def _turn(start: Floats, end: Floats, ahead: Floats) -> Floats:

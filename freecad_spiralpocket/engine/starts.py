@@ -17,10 +17,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter1d
 from shapely import LineString, Point, Polygon
 
-from .branches import feet_between, lengthened, slim_ring
+from .branches import feet_between, lengthened, slim_ring, smoothed
 from .entry import WIDEST, fit_helix_radius
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot
@@ -174,7 +173,7 @@ def _spines(axis: Skeleton, request: PocketRequest) -> list[shapely.Geometry]:
             continue
         path = LineString(points)
         if path.length > radius and all(abs(path.length - o.length) > 1.0 for o in spines):
-            spines.append(_smoothed(path, SMOOTHING * radius))
+            spines.append(LineString(smoothed(path, SMOOTHING * radius)))
             pieces = shapely.multilinestrings([axis.nodes[list(edge)] for edge in edges])
             tree = shapely.simplify(shapely.line_merge(pieces), SPINE_SLACK)
             if tree.length > BRANCHED * path.length and not _has_loop(edges):
@@ -240,19 +239,9 @@ def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketReques
     points = between(rim, rim.project(Point(tips[first])), rim.length)[:-1]
     ring = LineString(np.vstack([points, points[:1]]))
     others = sorted(ring.project(Point(t)) for t in np.delete(tips, first, axis=0))
-    feet = feet_between(ring, others, axis, edges)
-    groove = Groove(points, tuple(others), tuple(feet), slot_bite(request))
+    feet, trunk = feet_between(ring, others, axis, edges)
+    groove = Groove(points, tuple(others), tuple(feet), trunk, slot_bite(request))
     return Start("groove", visited, region, groove, ring)
-
-
-def _smoothed(raw: LineString, width: float) -> LineString:
-    count = max(4, int(raw.length / 0.5))
-    points = shapely.get_coordinates(
-        shapely.line_interpolate_point(raw, np.linspace(0, raw.length, count))
-    )
-    sigma = width * count / raw.length
-    smooth = LineString(gaussian_filter1d(points, sigma, axis=0, mode="nearest"))
-    return shapely.simplify(smooth, 0.01)
 
 
 def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:

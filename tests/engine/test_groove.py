@@ -18,6 +18,7 @@ from freecad_spiralpocket.engine.spiral import between
 R = 3.0
 ANGLE = math.radians(5)
 CHANNEL = Polygon([(0, 0), (90, 0), (90, 14), (0, 14)])
+SHORT = Polygon([(0, 0), (19, 0), (19, 9), (0, 9)])
 FORK = Polygon(
     [(0, 0), (90, 0), (90, 14), (52, 14), (52, 60), (38, 60), (38, 14), (0, 14)]
 )  # a T upside down
@@ -32,8 +33,8 @@ def groove_in(region, bite=1.8):
     points = between(rim, rim.project(shapely.Point(tips[0])), rim.length)[:-1]
     ring = LineString(np.vstack([points, points[:1]]))
     others = sorted(ring.project(shapely.Point(t)) for t in tips[1:])
-    feet = feet_between(ring, others, axis, edges)
-    return Groove(points, tuple(others), tuple(feet), bite), visited
+    feet, trunk = feet_between(ring, others, axis, edges)
+    return Groove(points, tuple(others), tuple(feet), trunk, bite), visited
 
 
 def deepest_bite(path, cell=0.25):
@@ -79,8 +80,9 @@ def test_whole_groove_is_at_the_bottom_at_the_end(region, depth):
     assert np.allclose(path[-1], (*groove.ring[0], -depth), atol=1e-6)
 
 
-def test_ramps_are_no_steeper_than_asked():
-    groove, _ = groove_in(FORK)
+@pytest.mark.parametrize("region", [SHORT, CHANNEL, FORK], ids=["short", "channel", "fork"])
+def test_ramps_are_no_steeper_than_asked(region):
+    groove, _ = groove_in(region)
     path = groove_path(groove, ANGLE, 0.0, -6.0)
     step = np.diff(path, axis=0)
     down = -step[:, 2]
@@ -100,3 +102,10 @@ def test_foot_lies_at_the_junction():
     ring = LineString(np.vstack([tree.ring, tree.ring[:1]]))
     foot = points_at(ring, np.array(tree.feet[0]))
     assert np.hypot(*(foot - (45, 7))) < 3.0
+
+
+@pytest.mark.parametrize("region", [SHORT, FORK], ids=["short", "fork"])
+def test_loops_at_the_tips_stay_in_the_groove(region):
+    groove, visited = groove_in(region)
+    path = groove_path(groove, ANGLE, 0.0, -6.0)
+    assert visited.buffer(0.05).covers(LineString(path[:, :2]))
