@@ -265,16 +265,6 @@ ROOM = 0.6
 MAX_FRONTS = 2000
 #: Left-over pieces of less area are not worth a stroke [mm2].
 SLIVER = 1e-3
-#: Fillet radii tried in the corners, over R; the smallest whose bite keeps below a share of the
-#: step-over is taken at once.
-CORNER_FILLETS = (0.0, 0.17, 0.27, 0.4, 0.57, 0.77, 1.0, 1.3)
-#: These shares before the last stroke and for it: where the wall turns at once, the engagement
-#: jumps, so that less may be left for it.
-ROUND_BITES, SHARP_BITES = (0.65, 0.65), (0.5, 0.5)
-#: A stroke that takes more than this share of a corner is its last.
-LAST = 0.98
-#: A corner is sharp if the first of the fillets leaves more than this of it, over R.
-SHARP = 0.03
 
 
 def grow(
@@ -300,7 +290,8 @@ def grow(
     Returns
     -------
     list of shapely.Polygon or None
-        Nested, from `start` to `omega` itself; None if there would be more than `most`.
+        Nested, from `start` to where only corners are left (see `corners`); None if there would
+        be more than `most`.
     """
     fronts = [oriented(start)]
     least = STALLED * rules.stepover * rules.cutter_radius
@@ -314,7 +305,7 @@ def grow(
         fronts.append(oriented(grown))
     if len(fronts) > most:
         return None
-    return fronts + finish_corners(fronts[-1], omega, rules)
+    return fronts
 
 
 def _without_scraps(grown: Polygon, visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
@@ -368,48 +359,3 @@ def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygo
 def oriented(shape: Polygon) -> Polygon:
     """Return `shape` with its exterior counter-clockwise and its interiors clockwise."""
     return shapely.geometry.polygon.orient(shape)
-
-
-def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
-    """Return the levels that take the corners, each in as few steps as the limit allows."""
-    opened = [
-        omega
-        if share == 0
-        else buffer(buffer(omega, -share * rules.cutter_radius), share * rules.cutter_radius)
-        for share in CORNER_FILLETS
-    ]
-    levels = []
-    for _ in range(MAX_FRONTS):
-        rest = shapely.get_parts(shapely.difference(omega, visited))
-        rest = rest[shapely.area(rest) > SLIVER]
-        if len(rest) == 0:
-            break
-        shapely.prepare(visited)
-        pieces = [_corner_step(piece, visited, opened, rules) for piece in rest]
-        grown = shapely.union_all([visited, *pieces])
-        grown = oriented(largest(buffer(buffer(grown, 1e-4), -1e-4)))
-        if grown.area - visited.area < 1e-4:
-            break
-        levels.append(grown)
-        visited = grown
-    return levels
-
-
-def _corner_step(
-    piece: Polygon, visited: Polygon, opened: list[Region], rules: FrontRules
-) -> Region:
-    """Return the part of a corner that the next stroke takes."""
-    tips = shapely.points(shapely.get_coordinates(piece))
-    sharp = not shapely.dwithin(opened[1], tips, SHARP * rules.cutter_radius).all()
-    bite, last = SHARP_BITES if sharp else ROUND_BITES
-    taken: Region = piece
-    for share, shape in zip(CORNER_FILLETS, opened, strict=True):
-        taken = piece if share == 0 else shapely.intersection(shape, piece)
-        # a fillet tighter than the corner itself leaves nothing for another stroke
-        is_last = taken.area > LAST * piece.area
-        limit = (last if is_last else bite) * rules.stepover
-        points = shapely.points(shapely.get_coordinates(taken))
-        if taken.area > SLIVER and shapely.dwithin(visited, points, limit).all():
-            return taken
-    # deeper than any fillet: one ordinary step into it
-    return shapely.intersection(piece, buffer(visited, bite * rules.stepover))

@@ -20,6 +20,7 @@ from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
 from ..cleared import ClearedMap
+from ..corners import finish_corners
 from ..errors import NotYetError
 from ..floor import FloorPath, Groove, Helix, Pass
 from ..fronts import MAX_FRONTS, FrontRules, grow, oriented
@@ -80,9 +81,11 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     starts = promising(candidates(region, request), region, FEW * request.cutting.stepover)
     for i, start in enumerate(starts):
         done = partial(tick, i / len(starts))
-        fronts = grow(start.visited, start.omega, rules_of(request), done, most)
+        rules = rules_of(request)
+        fronts = grow(start.visited, start.omega, rules, done, most)
         if fronts is None:
             continue
+        fronts += finish_corners(fronts[-1], start.omega, rules)
         most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
         strokes = strokes_of(fronts)
         # no links can make up for entry and cuts that take longer already

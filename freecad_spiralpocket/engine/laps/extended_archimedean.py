@@ -28,6 +28,7 @@ from ..archimedean import Spiral, bend_at, spiral_about
 from ..cleared import ClearedMap
 from ..clothoid_links import Place, clothoid_link, clothoid_way, turn_away
 from ..clothoids import ClothoidPath
+from ..corners import finish_corners
 from ..errors import NotYetError
 from ..floor import FloorPath
 from ..fronts import MAX_FRONTS, grow, largest, oriented
@@ -116,13 +117,15 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
             laps.append((i, Stroke(_ring(within), len(fronts), True, True)))
             fronts.append(oriented(shapely.simplify(visited, 0.002)))
     turns = len(fronts) - 1
-    grown = grow(fronts[-1], region, rules_of(request), partial(tick, 0.4))
+    rules = rules_of(request)
+    grown = grow(fronts[-1], region, rules, partial(tick, 0.4))
     if grown is None:
         raise NotYetError(
             f"More than {MAX_FRONTS} laps are left beside the spirals.",
             "Take a wider cutter or a larger step-over.",
         )
     fronts += grown[1:]
+    fronts += finish_corners(fronts[-1], region, rules)
     rest = [replace(s, level=s.level + turns) for s in strokes_of(fronts[turns:])]
     strokes = rest + [lap for _, lap in laps]
     radius = request.cutter_radius
