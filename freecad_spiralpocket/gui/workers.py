@@ -12,6 +12,7 @@ next question for progress.
 
 from __future__ import annotations
 
+import gc
 import os
 import pickle
 import queue
@@ -27,6 +28,7 @@ from typing import Any
 import FreeCAD
 from PySide import QtCore
 
+from ..engine.model import Progress
 from .tasks import Tasks, versions
 
 #: What a worker tells: "progress", "done", "error", "crash" as in `workerprocess`; ("gone", text)
@@ -36,6 +38,7 @@ Listener = Callable[[Message], None]
 
 SCRIPT = Path(__file__).with_name("workerprocess.py")
 POLL_EVERY = 20  # ms, how often a thread's messages are looked for
+COLLECT_EVERY = 100  # ms, how often garbage is collected while a thread works
 
 
 class ProcessWorker:
@@ -100,8 +103,37 @@ class ProcessWorker:
             self._listener(("unusable",))
 
 
+class Collector:
+    """Keeps Python's garbage collection in the window's thread while others work.
+
+    Python collects garbage in whatever thread happens to allocate, and closed panels leave
+    widgets and timers in it: Qt may crash when these end outside the window's thread.
+    """
+
+    def __init__(self) -> None:
+        self._threads: list[threading.Thread] = []
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._collect)
+
+    def watch(self, thread: threading.Thread) -> None:
+        """Collect here until a thread is over, which is about to begin."""
+        gc.disable()
+        self._threads.append(thread)
+        self._timer.start(COLLECT_EVERY)
+
+    def _collect(self) -> None:
+        self._threads = [t for t in self._threads if t.is_alive()]
+        if self._threads:
+            gc.collect(0)
+        else:
+            self._timer.stop()
+            gc.enable()
+
+
 class ThreadWorker:
     """A thread for each job, with the same face as `ProcessWorker`."""
+
+    _collector: Collector | None = None
 
     def __init__(self, listener: Listener) -> None:
         self._listener = listener
@@ -114,13 +146,22 @@ class ThreadWorker:
     def start(self, task: str, argument: Any) -> None:
         """Begin a job; there must be none."""
         self._stopped.clear()
-        threading.Thread(target=self._work, args=(task, argument), daemon=True).start()
+        cls = type(self)
+        cls._collector = cls._collector or Collector()
+        # the thread may outlive this worker, whose timer must not end in it: it has no name for it
+        thread = threading.Thread(
+            target=_work,
+            args=(self._tasks[task], argument, self._messages, self._stopped),
+            daemon=True,
+        )
+        cls._collector.watch(thread)
+        thread.start()
         self._timer.start(POLL_EVERY)
 
     def wait(self, milliseconds: int) -> None:
         """Wait for a message without letting the window do anything else."""
         try:
-            self._messages.put(self._messages.get(timeout=milliseconds / 1000))
+            self._hand_on(self._messages.get(timeout=milliseconds / 1000))
         except queue.Empty:
             return
         self._deliver()
@@ -135,26 +176,35 @@ class ThreadWorker:
         self._timer.stop()
         self._listener = lambda message: None
 
-    def _work(self, task: str, argument: Any) -> None:
-        from ..engine.errors import SpiralPocketError
-
-        def progress(fraction: float, stage: str) -> bool:
-            self._messages.put(("progress", fraction, stage))
-            return self._stopped.is_set()
-
-        try:
-            self._messages.put(("done", self._tasks[task](argument, progress)))
-        except SpiralPocketError as error:
-            self._messages.put(("error", error))
-        except Exception:
-            self._messages.put(("crash", traceback.format_exc()))
-
     def _deliver(self) -> None:
         while not self._messages.empty():
-            message = self._messages.get()
-            if message[0] != "progress":
-                self._timer.stop()
-            self._listener(message)
+            self._hand_on(self._messages.get())
+
+    def _hand_on(self, message: Message) -> None:
+        if message[0] != "progress":
+            self._timer.stop()
+        self._listener(message)
+
+
+def _work(
+    task: Callable[[Any, Progress], Any],
+    argument: Any,
+    messages: queue.Queue[Message],
+    stopped: threading.Event,
+) -> None:
+    """Do a job in a thread of its own."""
+    from ..engine.errors import SpiralPocketError
+
+    def progress(fraction: float, stage: str) -> bool:
+        messages.put(("progress", fraction, stage))
+        return stopped.is_set()
+
+    try:
+        messages.put(("done", task(argument, progress)))
+    except SpiralPocketError as error:
+        messages.put(("error", error))
+    except Exception:
+        messages.put(("crash", traceback.format_exc()))
 
 
 class Interpreters:

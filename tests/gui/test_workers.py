@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Work beside the window goes on when an interpreter is of no use or a process dies."""
 
+import gc
+import threading
+
 import pytest
+from PySide import QtCore
 from window import pump, wait_for
 
 from freecad_spiralpocket.engine.errors import SpiralPocketError
@@ -101,3 +105,40 @@ def test_thread_gives_up_and_does_the_next(lane, monkeypatch):
     monkeypatch.setattr(Interpreters, "left", [])
     lane.give_up(lane.submit("plan", square(side=150.0, stepover=0.2)))
     assert done(lane.submit("draft", square())).result is not None
+
+
+def test_garbage_ends_in_the_windows_thread_while_a_thread_works(lane, monkeypatch):
+    monkeypatch.setattr(Interpreters, "left", [])
+    ends = []
+
+    class Timer(QtCore.QTimer):
+        def __del__(self):
+            ends.append(threading.current_thread())
+
+    job = lane.submit("plan", square(stepover=0.6))
+    made = 0
+    while not job.is_done:
+        timer = Timer()
+        timer.itself = timer  # a cycle, which only the garbage collection ends
+        made += 1
+        pump(0.001)
+    wait_for(gc.isenabled)
+    del timer
+    gc.collect()
+    assert len(ends) == made > 20
+    assert set(ends) == {threading.main_thread()}
+
+
+def test_lane_that_is_closed_while_a_thread_works_ends_its_timers_here(monkeypatch):
+    monkeypatch.setattr(Interpreters, "left", [])
+    made = Lane(1)
+    made.submit("plan", square(stepover=0.3))
+    pump(0.2)
+    ends = []
+    worker(made)._timer.destroyed.connect(lambda *_: ends.append(threading.current_thread()))
+    made.close()
+    del made
+    wait_for(gc.isenabled, 60)
+    gc.collect()
+    pump()
+    assert ends == [threading.main_thread()]

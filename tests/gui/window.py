@@ -132,12 +132,14 @@ def dialog(name):
 
     PySide 2 crashes if garbage with a widget in it is collected while it makes the list.
     """
+    was_enabled = gc.isenabled()
     gc.disable()
     try:
         tops = QtGui.QApplication.topLevelWidgets()
         return next((w for w in tops if w.objectName() == name and w.isVisible()), None)
     finally:
-        gc.enable()
+        if was_enabled:
+            gc.enable()
 
 
 class Answer:
