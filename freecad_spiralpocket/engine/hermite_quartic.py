@@ -18,9 +18,11 @@ patches than its 25 (`./dev bench papers hqs24` prints them).
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from .model import Floats
@@ -34,6 +36,12 @@ BY_LENGTH = 0.35
 SMOOTHING = 0.006
 #: Points of the curve that is fitted, for each break.
 PER_PATCH = 6
+#: The deviation falls about with this power of the patches; so many guesses by it.
+ORDER, SECANTS = 4.0, 6
+#: Controls that a patch has in common are no farther apart than this where the ring is folded.
+BAND = 9
+#: All pairs of the controls of a patch.
+FIRST, SECOND = np.triu_indices(DEGREE + 1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -82,49 +90,61 @@ class ClosedQuartic:
     def sample(self, spacing: float) -> Floats:
         """Return points about `spacing` apart [mm], the last is the first again."""
         length = float(np.hypot(*np.diff(self.controls, axis=0, append=self.controls[:1]).T).sum())
-        return self.at(np.linspace(0.0, 1.0, max(16, int(np.ceil(length / spacing))) + 1))
+        u = np.linspace(0.0, 1.0, max(16, int(np.ceil(length / spacing))) + 1)
+        points, _ = _Basis(self.breaks).curve(self.controls, u)
+        return np.ascontiguousarray(points.T)
 
 
-def fit_closed(points: Floats, deviation: float, guess: int = 8) -> ClosedQuartic:
-    """Fit a closed curve with the least number of patches that keeps a bound.
+class ClosedFit:
+    """Fits curves to closed contours, and knows those that it has tried.
 
     Parameters
     ----------
     points : ndarray of shape (m, 2)
         Along the curve; the last is not the first again [mm].
-    deviation : float
-        Largest distance of points from the curve [mm], positive. Not kept where `MOST` patches
-        cannot.
-    guess : int, optional
-        With how many patches the search begins; saves time where it is near.
     """
-    closed = np.vstack([points, points[:1]])
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(closed, axis=0).T))])
-    effort = _effort(closed, along)
 
-    curves: dict[int, ClosedQuartic] = {}
+    def __init__(self, points: Floats) -> None:
+        self._closed = np.vstack([points, points[:1]])
+        steps = np.hypot(*np.diff(self._closed, axis=0).T)
+        self._along = np.concatenate([[0.0], np.cumsum(steps)])
+        self._effort = _effort(self._closed, self._along)
+        self._tried: dict[int, ClosedQuartic] = {}
 
-    def keeps(count: int) -> bool:
-        curves[count] = _fit(closed, along, effort, count)
-        return curves[count].deviation <= deviation
+    @property
+    def length(self) -> float:
+        """Return the length of the contour [mm]."""
+        return float(self._along[-1])
 
-    # gallop away from the guess, then halve
-    guess, step = int(np.clip(guess, FEWEST, MOST)), 1
-    if keeps(guess):
-        low, high = FEWEST - 1, guess
-        while high > FEWEST and low < FEWEST:
-            lower = max(FEWEST, high - step)
-            low, high = (low, lower) if keeps(lower) else (lower, high)
-            step *= 2
-    else:
-        low, high = guess, min(MOST, guess + step)
-        while not keeps(high) and high < MOST:
-            step *= 2
-            low, high = high, min(MOST, high + step)
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (low, middle) if keeps(middle) else (middle, high)
-    return curves[high]
+    def within(self, deviation: float, guess: int = 8) -> ClosedQuartic:
+        """Return the curve with the least number of patches that keeps a bound.
+
+        Parameters
+        ----------
+        deviation : float
+            Largest distance of points from the curve [mm], positive. Not kept where `MOST`
+            patches cannot.
+        guess : int, optional
+            With how many patches the search begins; saves time where it is near.
+        """
+        low, high, step = FEWEST - 1, MOST + 1, 0  # too few patches, enough
+        count = int(np.clip(guess, FEWEST, MOST))
+        while high - low > 1:
+            step += 1
+            off = self._of(count).deviation / deviation
+            low, high = (low, count) if off <= 1 else (count, high)
+            # as if the deviation fell evenly on a logarithmic scale; then halving
+            ahead = math.ceil(count * off ** (1 / ORDER))
+            if step >= SECANTS:
+                ahead = (low + high) // 2 if high <= MOST else 2 * low
+            count = min(max(low + 1, ahead), high - 1)
+        return self._of(min(high, MOST))
+
+    def _of(self, count: int) -> ClosedQuartic:
+        """Return the least-squares curve of so many patches."""
+        if count not in self._tried:
+            self._tried[count] = _fit(self._closed, self._along, self._effort, count)
+        return self._tried[count]
 
 
 def _effort(closed: Floats, along: Floats) -> Floats:
@@ -147,21 +167,22 @@ def _fit(closed: Floats, along: Floats, effort: Floats, count: int) -> ClosedQua
     """Return the least-squares curve of `count` patches, parameters corrected once."""
     s = along / along[-1]
     breaks = np.interp(np.arange(count + 1) / count, effort, s)
-    u, points = s[:-1], closed[:-1]
-    if len(points) < PER_PATCH * count:
+    u, points = s[:-1], closed[:-1].T
+    if points.shape[1] < PER_PATCH * count:
         u = np.interp(np.arange(PER_PATCH * count) / (PER_PATCH * count), effort, s)
-        points = np.column_stack([np.interp(u, s, closed[:, i]) for i in (0, 1)])
+        points = np.stack([np.interp(u, s, x) for x in closed.T])
+    basis = _Basis(breaks)
     for _ in range(2):
-        controls = _least_squares(breaks, u, points)
-        curve = ClosedQuartic(breaks, controls, 0.0)
-        off, tangent = points - curve.at(u), curve.at(u, 1)
-        square = (tangent**2).sum(axis=1) + 1e-12
-        u = u + (off * tangent).sum(axis=1) / square
-    normal = (off[:, 0] * tangent[:, 1] - off[:, 1] * tangent[:, 0]) / np.sqrt(square)
+        controls = basis.nearest(u, points)
+        places, (tx, ty) = basis.curve(controls, u)
+        dx, dy = points - places
+        square = tx * tx + ty * ty + 1e-12
+        u = u + (dx * tx + dy * ty) / square
+    normal = (dx * ty - dy * tx) / np.sqrt(square)
     return ClosedQuartic(breaks, controls, float(np.abs(normal).max()))
 
 
-def _periodic(breaks: Floats) -> tuple[Floats, np.ndarray]:
+def _periodic(breaks: Floats) -> tuple[Floats, NDArray[np.intp]]:
     """Return the double knots of one period and what it needs beside, and the controls' order."""
     n = len(breaks) - 1
     before, after = breaks[-3:-1] - 1.0, breaks[1:3] + 1.0
@@ -169,17 +190,86 @@ def _periodic(breaks: Floats) -> tuple[Floats, np.ndarray]:
     return knots, np.arange(len(knots) - DEGREE - 1) % (2 * n)
 
 
-def _least_squares(breaks: Floats, u: Floats, points: Floats) -> Floats:
-    knots, index = _periodic(breaks)
-    n, order = 2 * (len(breaks) - 1), DEGREE + 1
-    from scipy.interpolate import BSpline
+class _Basis:
+    """The splines over one period of double knots, by way of the patches' Bezier points."""
 
-    matrix = BSpline.design_matrix(np.mod(u, 1.0), knots, DEGREE)
-    # each point has the same number of entries; their products are the normal equations
-    basis, column = matrix.data.reshape(-1, order), index[matrix.indices].reshape(-1, order)
-    pairs = (column[:, :, None] * n + column[:, None, :]).ravel()
-    products = (basis[:, :, None] * basis[:, None, :]).ravel()
-    square = np.bincount(pairs, products, n * n).reshape(n, n)
-    square[np.diag_indices(n)] += 1e-9 * np.trace(square) / n
-    right = [np.bincount(column.ravel(), (basis * x[:, None]).ravel(), n) for x in points.T]
-    return np.asarray(np.linalg.solve(square, np.column_stack(right)))
+    def __init__(self, breaks: Floats) -> None:
+        self.breaks, self.spans = breaks, np.diff(breaks)
+        n = len(self.spans)
+        #: The five controls of each patch, shape (5, n).
+        self.columns = (1 + np.arange(DEGREE + 1)[:, None] + 2 * np.arange(n)) % (2 * n)
+        #: Each patch's span over its own and the one before, and over its own and the next.
+        self.before = self.spans / (self.spans + np.roll(self.spans, 1))
+        self.after = self.spans / (self.spans + np.roll(self.spans, -1))
+
+    def curve(self, controls: Floats, u: Floats) -> tuple[Floats, Floats]:
+        """Return points and derivatives by the parameter, both of shape (2, k)."""
+        patch, v = self._located(u)
+        b0, b1, b2, b3, b4 = np.take(self._beziers(controls), patch, axis=2)
+        # powers of v about the start of each patch
+        c1, c2 = 4 * (b1 - b0), 6 * (b0 - 2 * b1 + b2)
+        c3, c4 = 4 * (b3 - b0 + 3 * (b1 - b2)), b0 + b4 - 4 * (b1 + b3) + 6 * b2
+        points = (((c4 * v + c3) * v + c2) * v + c1) * v + b0
+        slopes = ((4 * c4 * v + 3 * c3) * v + 2 * c2) * v + c1
+        return points, slopes / self.spans[patch]
+
+    def nearest(self, u: Floats, points: Floats) -> Floats:
+        """Return the controls, shape (2 n, 2), that come nearest to points of shape (2, k)."""
+        from scipy.linalg import solveh_banded
+
+        n = len(self.spans)
+        patch, v = self._located(u)
+        weights = self._weights(patch, v)
+        # a ring of controls folded in two is a band: 0, n - 1, 1, n - 2, ...
+        block = np.arange(n)
+        fold = np.where(2 * block < n, 2 * block, 2 * (n - block) - 1)
+        place = (2 * fold[:, None] + np.arange(2)).ravel()
+        at = place[self.columns]
+        low = np.minimum(at[FIRST], at[SECOND])
+        high = np.maximum(at[FIRST], at[SECOND])
+        products = [
+            np.bincount(patch, weights[a] * weights[b], n)
+            for a, b in zip(FIRST, SECOND, strict=True)
+        ]
+        cells = ((BAND + low - high) * 2 * n + high).ravel()
+        band = np.bincount(cells, np.concatenate(products), (BAND + 1) * 2 * n)
+        band = band.reshape(BAND + 1, 2 * n)
+        band[BAND] += 1e-9 * band[BAND].sum() / (2 * n)
+        right = [
+            np.bincount(
+                at.ravel(), np.concatenate([np.bincount(patch, w * x, n) for w in weights]), 2 * n
+            )
+            for x in points
+        ]
+        solved = solveh_banded(band, np.column_stack(right), overwrite_ab=True, check_finite=False)
+        return np.asarray(solved[place])
+
+    def _located(self, u: Floats) -> tuple[NDArray[np.intp], Floats]:
+        """Return the patch of each parameter, and the parameter within it from 0 to 1."""
+        u = u - np.floor(u)
+        patch = np.searchsorted(self.breaks[1:-1], u, side="right")
+        return patch, (u - self.breaks[patch]) / self.spans[patch]
+
+    def _beziers(self, controls: Floats) -> Floats:
+        """Return the Bezier points of the patches, shape (5, 2, n)."""
+        a, b, c, d, e = controls.T[:, self.columns].transpose(1, 0, 2)
+        before, after = self.before, self.after
+        first, last = before * b + (1 - before) * c, after * d + (1 - after) * c
+        start = before * (before * a + (1 - before) * b) + (1 - before) * first
+        end = after * (after * e + (1 - after) * d) + (1 - after) * last
+        return np.stack([start, first, c, last, end])
+
+    def _weights(self, patch: NDArray[np.intp], v: Floats) -> list[Floats]:
+        """Return the weights of each parameter's five controls."""
+        before, after = self.before[patch], self.after[patch]
+        v2, w = v * v, 1 - v
+        w2, both = w * w, 2 * v * w
+        b0, b1, b2, b3, b4 = w2 * w2, 2 * both * w2, 1.5 * both * both, 2 * both * v2, v2 * v2
+        near, far = 1 - before, 1 - after
+        return [
+            b0 * before * before,
+            (2 * b0 * near + b1) * before,
+            (b0 * near + b1) * near + b2 + (b3 + b4 * far) * far,
+            (b3 + 2 * b4 * far) * after,
+            b4 * after * after,
+        ]

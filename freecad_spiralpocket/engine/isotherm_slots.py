@@ -37,6 +37,8 @@ CLEARED = 0.97
 THIN = 0.96
 #: Detail that does not matter there [mm].
 THIN_SLACK = 0.02
+#: A place that is so much too far from the outline shows that a region is not thin [mm].
+DEEPER = 0.05
 #: Steps of the search for it.
 BISECTIONS = 6
 #: A neck's outline is no longer than this over the distance of its middle.
@@ -59,7 +61,7 @@ def core_of(family: Family, room: Room) -> Lap | None:
         width = fit_helix_radius(family.region, center, radius, request.entry)
         if far <= width + family.stepover:
             return Lap(_disc(center, width), math.nan, (), Helix(center, width))
-    if not _is_thin(region, _width(family, region)):
+    if not _is_thin(region, _width(family, region), center):
         return None
     narrow = region.boundary.distance(shapely.Point(center)) < NARROW * radius
     worth = pays(family, far - reach) or (narrow and far - reach > family.stepover)
@@ -73,8 +75,14 @@ def _disc(center: Floats, radius: float) -> Polygon:
     return Polygon(center + radius * np.column_stack([np.cos(angles), np.sin(angles)]))
 
 
-def _is_thin(region: Polygon, width: float) -> bool:
-    """Return whether all of a region is within `width` of its outer boundary."""
+def _is_thin(region: Polygon, width: float, deep: Floats) -> bool:
+    """Return whether all of a region is within `width` of its outer boundary.
+
+    `deep` is a place of it: where that is too far away, nothing else need be measured.
+    """
+    place = shapely.Point(deep)
+    if region.exterior.distance(place) > width + DEEPER and region.contains(place):
+        return False
     rough = shapely.simplify(region, THIN_SLACK)
     swept = shapely.buffer(rough.exterior, width, quad_segs=16)
     return bool(shapely.difference(rough, swept).area < 1e-3)
@@ -99,18 +107,19 @@ def core_share(family: Family, room: Room, share: float, hottest: float) -> floa
     A step over the ridge would leave the ridge's summits, which are noise where it is level.
     """
     count = len(room.region.interiors)
-    if _is_thin(room.region, _width(family, room.region)):
+    deep, _ = room.peak(family.field)
+    if _is_thin(room.region, _width(family, room.region), deep):
         return share
 
     def parts(of: float) -> list[Polygon]:
         level = room.level + of * (hottest - room.level)
-        return isotherms(family.contours, room, level)
+        return isotherms(family, room, level)
 
     def is_whole(found: list[Polygon]) -> bool:
         return len(found) == 1 and len(found[0].interiors) == count
 
     def is_thin(core: Polygon) -> bool:
-        return _is_thin(core, THIN * _width(family, core))
+        return _is_thin(core, THIN * _width(family, core), deep)
 
     last = parts(share)
     if is_whole(last) and not is_thin(last[0]):
@@ -157,13 +166,17 @@ def slots_for(family: Family, room: Room, rooms: list[Polygon], must_pay: bool) 
 def _slot_about(family: Family, room: Room, piece: Polygon) -> Polygon | None:
     """Return a region to open by a slot that covers `piece` and meets the rooms beside it."""
     radius = family.request.cutter_radius
+    around = shapely.box(*piece.buffer(2 * family.stepover).bounds)
+    beside = shapely.intersection(room.region, around)
+    piece = shapely.simplify(piece, THIN_SLACK / 2)
     for share, rounding in product(OVERLAPS, ROUNDINGS):
-        wide = shapely.intersection(room.region, grow(piece, share * family.stepover))
+        wide = shapely.intersection(beside, grow(piece, share * family.stepover))
         round_ = rounding * radius
         parts = polygons_of(grow(grow(wide, -round_), round_))
         if not parts or parts[0].interiors:
             continue
         left = shapely.difference(piece, grow(parts[0], family.stepover / 2))
-        if left.area < 1e-3 and _is_thin(parts[0], CLEARED * radius):
+        middle = shapely.get_coordinates(shapely.point_on_surface(parts[0]))[0]
+        if left.area < 1e-3 and _is_thin(parts[0], CLEARED * radius, middle):
             return parts[0]
     return None

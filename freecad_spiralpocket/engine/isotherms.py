@@ -21,7 +21,7 @@ from shapely import Polygon
 
 from .dependencies import require
 from .fronts import oriented
-from .hermite_quartic import fit_closed
+from .hermite_quartic import ClosedFit
 from .model import Floats, PocketRequest
 from .nested import SPACING, Mover
 from .poisson import HeatField, solve
@@ -171,23 +171,37 @@ def outer_room(family: Family) -> Room:
     return Room(wall, 0.0, family.field.inside)
 
 
-def isotherms(contours: ContourGenerator, room: Room, level: float) -> list[Polygon]:
-    """Return the parts of a room that are hotter than `level`, as they come off the grid."""
-    shells: list[Polygon] = []
-    holes: list[Polygon] = []
-    for line in contours.lines(level):
+def lines_at(family: Family, room: Room, level: float) -> list[Floats]:
+    """Return the isotherms of a room as they come off the grid, closed, shape (n, 2) each [mm].
+
+    Counter-clockwise about what is hotter, clockwise about islands.
+    """
+    found = []
+    for line in family.contours.lines(level):
         points = np.asarray(line)
         if len(points) < 4 or not np.array_equal(points[0], points[-1]):
             continue
-        area = _signed_area(points)
-        (shells if area > 0 else holes).append(Polygon(points))
-    inner: list[list[shapely.LinearRing]] = [[] for _ in shells]
+        if family.field.is_beside(points[0], room.nodes):
+            found.append(points)
+    return found
+
+
+def isotherms(family: Family, room: Room, level: float) -> list[Polygon]:
+    """Return the parts of a room that are hotter than `level`, as they come off the grid."""
+    shells: list[Floats] = []
+    holes: list[Floats] = []
+    for points in lines_at(family, room, level):
+        (shells if _signed_area(points) > 0 else holes).append(points)
+    if not holes:
+        return [Polygon(shell) for shell in shells]
+    outlines = [Polygon(shell) for shell in shells]
+    inner: list[list[Floats]] = [[] for _ in shells]
     for hole in holes:
-        about = [i for i, shell in enumerate(shells) if shell.contains(hole)]
+        place = shapely.Point(hole[0])
+        about = [i for i, outline in enumerate(outlines) if outline.contains(place)]
         if about:
-            inner[min(about, key=lambda i: shells[i].area)].append(hole.exterior)
-    parts = [oriented(Polygon(s.exterior, h)) for s, h in zip(shells, inner, strict=True)]
-    return [p for p in parts if room.region.contains(p.representative_point())]
+            inner[min(about, key=lambda i: outlines[i].area)].append(hole)
+    return [Polygon(shell, rings) for shell, rings in zip(shells, inner, strict=True)]
 
 
 def _signed_area(points: Floats) -> float:
@@ -200,7 +214,7 @@ def rooms_at(family: Family, room: Room, level: float) -> list[Room]:
     field = family.field
     rooms = []
     labels, _ = ndimage.label(room.nodes & (np.nan_to_num(field.values) > level))
-    for part in isotherms(family.contours, room, level):
+    for part in isotherms(family, room, level):
         x, y = field.xy
         columns = np.flatnonzero((x > part.bounds[0]) & (x < part.bounds[2]))
         rows = np.flatnonzero((y > part.bounds[1]) & (y < part.bounds[3]))
@@ -224,9 +238,14 @@ def points_of(region: Polygon) -> Floats:
 
 def distances(points: Floats, regions: list[Polygon]) -> Floats:
     """Return the distance of each point from the nearest boundary of the regions [mm]."""
-    if not regions:
+    return from_lines(points, [points_of(region) for region in regions])
+
+
+def from_lines(points: Floats, lines: list[Floats]) -> Floats:
+    """Return the distance of each point from the nearest point of some lines [mm]."""
+    if not lines:
         return np.full(len(points), np.inf)
-    tree = cKDTree(np.vstack([points_of(region) for region in regions]))
+    tree = cKDTree(np.vstack(lines), balanced_tree=False, compact_nodes=False)
     return np.asarray(tree.query(points)[0])
 
 
@@ -234,23 +253,30 @@ def _nested(family: Family, part: Polygon, room: Room) -> tuple[Polygon, int]:
     """Return a lap refitted so closely that it keeps inside its room, and its patches."""
     if family.deviation > 0:
         shapely.prepare(room.region)
+        fits, guess = _fits(part), room.patches
         for halving in range(HALVINGS):
-            lap, patches = refitted(part, family.deviation * 0.5**halving, room.patches)
+            lap, guess = _of_fits(fits, family.deviation * 0.5**halving, guess)
             if lap.is_valid and room.region.contains(lap):
-                return lap, patches
+                return lap, guess
     return part, room.patches
 
 
 def refitted(part: Polygon, deviation: float, guess: int = 8) -> tuple[Polygon, int]:
     """Return a region whose rings are refitted within a deviation, and its outer ring's patches.
 
-    See `hermite_quartic.fit_closed` for the arguments.
+    See `ClosedFit.within` for the arguments.
     """
-    rings = (part.exterior, *part.interiors)
-    counts = [round(guess * r.length / part.exterior.length) for r in rings]
-    curves = [
-        fit_closed(np.asarray(r.coords)[:-1], deviation, count)
-        for r, count in zip(rings, counts, strict=True)
-    ]
+    return _of_fits(_fits(part), deviation, guess)
+
+
+def _fits(part: Polygon) -> list[ClosedFit]:
+    """Return what fits the rings of a region."""
+    return [ClosedFit(np.asarray(r.coords)[:-1]) for r in (part.exterior, *part.interiors)]
+
+
+def _of_fits(fits: list[ClosedFit], deviation: float, guess: int) -> tuple[Polygon, int]:
+    """Return the region of fitted rings, and its outer ring's patches."""
+    counts = [round(guess * fit.length / fits[0].length) for fit in fits]
+    curves = [fit.within(deviation, count) for fit, count in zip(fits, counts, strict=True)]
     shell, *holes = [curve.sample(SPACING) for curve in curves]
     return oriented(Polygon(shell, holes)), len(curves[0].breaks) - 1

@@ -41,6 +41,8 @@ SPACING, PARTNERS = 0.25, 0.3
 WIDEST = 1.3
 #: Points that matter less than this share of the tolerance are dropped.
 SLIM = 0.3
+#: Rings keep within this where a chain goes over from one to another [mm].
+OVER = 0.001
 #: Raster pixels across the cutter.
 PIXELS = 24
 
@@ -249,9 +251,8 @@ class _Walker:
         source, place = self.sources[way]
         pieces = [source.at(np.array([place]))]
         if source is not self.rings[0]:
-            over = spiral_through(
-                source.line, place, [self.rings[0].line], self.request.cutter_radius
-            )
+            lines = [shapely.simplify(ring.line, OVER) for ring in (source, self.rings[0])]
+            over = spiral_through(lines[0], place, lines[1:], self.request.cutter_radius)
             pieces = [over]
             place = float(self.rings[0].locate(over[-1:])[0])
         for inner, outer, matched in zip(

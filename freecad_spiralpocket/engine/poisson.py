@@ -16,7 +16,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import map_coordinates
 from shapely import Polygon
 
 from .model import Floats
@@ -39,7 +38,7 @@ class HeatField:
         Temperature [mm2]; goes on a node beyond the wall, nan farther out.
     inside : ndarray of bool, shape (ny, nx)
     slopes : ndarray of shape (2, ny, nx)
-        Derivatives to x and y [mm].
+        Derivatives to x and y, 0 beyond [mm].
     """
 
     origin: Floats
@@ -57,16 +56,32 @@ class HeatField:
 
     def at(self, points: Floats) -> Floats:
         """Return the temperature at points of shape (n, 2) inside the region [mm2]."""
-        return self._interpolated(self.values, points)
+        return self._interpolated(np.nan_to_num(self.values)[None], points)[0]
 
     def gradient(self, points: Floats) -> Floats:
         """Return the gradient at points of shape (n, 2) inside the region, shape (n, 2) [mm]."""
-        return np.column_stack([self._interpolated(s, points) for s in self.slopes])
+        return self._interpolated(self.slopes, points).T
+
+    def is_beside(self, place: Floats, nodes: NDArray[np.bool_]) -> bool:
+        """Return whether a place of an isotherm, on a grid line, is beside one of some nodes.
+
+        Of the two nodes that it lies between, the hotter one counts.
+        """
+        column, row = (place - self.origin) / self.spacing
+        rows = {math.floor(row + 1e-9), math.ceil(row - 1e-9)}
+        columns = {math.floor(column + 1e-9), math.ceil(column - 1e-9)}
+        return any(nodes[r, c] for r in rows for c in columns)
 
     def _interpolated(self, values: Floats, points: Floats) -> Floats:
+        """Return values of shape (k, ny, nx) at points, linear in each cell, shape (k, n)."""
+        rows, columns = self.values.shape
         at = (points - self.origin) / self.spacing
-        filled = np.nan_to_num(values)
-        return np.asarray(map_coordinates(filled, [at[:, 1], at[:, 0]], order=1, mode="nearest"))
+        column = np.clip(at[:, 0].astype(int), 0, columns - 2)
+        row = np.clip(at[:, 1].astype(int), 0, rows - 2)
+        x, y = np.clip(at[:, 0] - column, 0.0, 1.0), np.clip(at[:, 1] - row, 0.0, 1.0)
+        flat, first = values.reshape(len(values), -1), row * columns + column
+        a, b, c, d = (np.take(flat, first + by, axis=1) for by in (0, 1, columns, columns + 1))
+        return np.asarray((1 - y) * ((1 - x) * a + x * b) + y * ((1 - x) * c + x * d))
 
 
 def solve(region: Polygon, spacing: float) -> HeatField:
@@ -210,5 +225,5 @@ def _slopes(values: Floats) -> Floats:
         behind = values - np.roll(values, 1, axis=axis)
         middle = (ahead + behind) / 2
         one = np.where(np.isfinite(ahead), ahead, behind)
-        slopes.append(np.where(np.isfinite(middle), middle, one))
+        slopes.append(np.nan_to_num(np.where(np.isfinite(middle), middle, one)))
     return np.stack(slopes)

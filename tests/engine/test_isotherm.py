@@ -15,7 +15,7 @@ from shapes import request as make_request
 
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetError
 from freecad_spiralpocket.engine.floor import Helix, Pass, Slot
-from freecad_spiralpocket.engine.hermite_quartic import fit_closed
+from freecad_spiralpocket.engine.hermite_quartic import ClosedFit
 from freecad_spiralpocket.engine.isotherms import distances, family_of, mover, points_of
 from freecad_spiralpocket.engine.laps import isotherm
 from freecad_spiralpocket.engine.model import Strategy
@@ -106,7 +106,7 @@ def wavy(phase: float, waves: int, depth: float) -> np.ndarray:
 @given(st.floats(0, 6.28), st.integers(2, 5), st.floats(0, 0.25), st.sampled_from([0.5, 0.1, 0.02]))
 def test_refitted_curve_keeps_the_bound_and_is_c2_all_round(phase, waves, depth, deviation):
     points = wavy(phase, waves, depth)
-    curve = fit_closed(points, deviation)
+    curve = ClosedFit(points).within(deviation)
     ring = LineString(curve.sample(0.05))
     assert max(ring.distance(Point(p)) for p in points[::7]) <= 1.01 * deviation + 1e-4
     breaks, eps = curve.breaks[:-1], 1e-8
@@ -116,7 +116,7 @@ def test_refitted_curve_keeps_the_bound_and_is_c2_all_round(phase, waves, depth,
 
 
 def test_patches_are_those_of_the_paper():
-    curve = fit_closed(wavy(0.4, 3, 0.2), 0.1)
+    curve = ClosedFit(wavy(0.4, 3, 0.2)).within(0.1)
     points, tangents, bulges = curve.patches()
     u = np.linspace(0, 1, 9)[:, None]
     for i, span in enumerate(np.diff(curve.breaks)):
@@ -133,7 +133,7 @@ def test_patches_are_those_of_the_paper():
 
 
 def test_fewer_patches_for_a_wider_bound():
-    counts = [len(fit_closed(wavy(0, 4, 0.2), d).breaks) for d in (1.0, 0.3, 0.1, 0.03)]
+    counts = [len(ClosedFit(wavy(0, 4, 0.2)).within(d).breaks) for d in (1.0, 0.3, 0.1, 0.03)]
     assert counts == sorted(counts)
     assert counts[0] < 20
 

@@ -40,7 +40,9 @@ from ..isotherms import (
     Room,
     distances,
     family_of,
+    from_lines,
     isotherms,
+    lines_at,
     mover,
     outer_room,
     points_of,
@@ -145,13 +147,12 @@ def _inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
     some = points[::THINNED]
 
     def farthest(share: float) -> float:
-        lines = isotherms(family.contours, room, level(share))
-        return float(distances(some, lines).max())
+        return float(from_lines(some, lines_at(family, room, level(share))).max())
 
     low = _largest(farthest, family.stepover)
     if low < SLOW:
         for share in NECK_STEPS:
-            lines = isotherms(family.contours, room, level(share))
+            lines = isotherms(family, room, level(share))
             if low > LEAST_STEP and not pays(family, distances(some, lines).max()):
                 break
             slots = slots_for(family, room, lines, low > LEAST_STEP)
@@ -163,7 +164,7 @@ def _inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
         if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
             return rooms, []
         low *= 0.95
-    off = distances(points, isotherms(family.contours, room, level(LEAST_STEP)))
+    off = distances(points, isotherms(family, room, level(LEAST_STEP)))
     x, y = points[int(np.argmax(off))]
     raise NotYetError(
         "The pocket is too narrow at {at} for Isotherm: no isotherm leads through.",
