@@ -123,6 +123,7 @@ def spiral_about(center: Center, half_width: float, stepover: float, radius: flo
         b and R [mm].
     """
     curve, least = center.curve, ROUNDING * radius
+    shapely.prepare(curve)
     for wide in range(center.laps, -1, -1):
         bends = [least + min(center.laps - k, wide) * stepover for k in range(center.laps + 1)]
         first = _offset(curve, half_width, bends[0])

@@ -100,7 +100,8 @@ def maximal_centers(
         if not centers or _is_worth_it(axis, center, shape.area / region.area):
             centers.append(center)
             rest = shapely.difference(rest, shape)
-        left &= ~shapely.dwithin(center.curve, points, reach)
+        shapely.prepare(center.curve)
+        left[left] = ~shapely.dwithin(center.curve, points[left], reach)
         left[nodes] = False
     return centers
 
