@@ -22,7 +22,7 @@ from shapely import LineString, Point, Polygon
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot
 from .groove import groove_path
-from .model import Entry, Feeds, Floats
+from .model import Entry, Feeds, Floats, PocketRequest
 from .polyline import points_at
 from .toolpath import Role, ToolpathBuilder
 
@@ -78,10 +78,30 @@ def entry_start(entry: Helix | Slot | Groove, angle: float, top: float, bottom: 
         return _on_circle(entry, entry.start_angle - _helix_sweep(entry, angle, top, bottom))
     if isinstance(entry, Groove):
         return groove_path(entry, angle, top, bottom)[0, :2]
-    levels = _slot_levels(entry, top, bottom)
-    ramp = (top - bottom) / levels / math.tan(angle)
     ring = _closed(entry.ring)
+    ramp = _slot_ramp(entry, angle, top, bottom)
     return np.array(ring.interpolate(-ramp % ring.length).coords[0])
+
+
+def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> float:
+    """Return where along its ring a slot must end to begin nearest to a place [mm].
+
+    Parameters
+    ----------
+    slot : Slot
+    asked : tuple of float
+        [mm]
+    request : PocketRequest
+        For the depth of its first level, nearly, and the ramp's angle.
+    """
+    ring = _closed(slot.ring)
+    ramp = _slot_ramp(slot, request.entry.helix_angle, request.axial_depth, 0.0)
+    return float((ring.project(Point(asked)) + ramp) % ring.length)
+
+
+def _slot_ramp(slot: Slot, angle: float, top: float, bottom: float) -> float:
+    """Return the length of the ramps of a slot, seen from above [mm]."""
+    return (top - bottom) / _slot_levels(slot, top, bottom) / math.tan(angle)
 
 
 def cut_entry(

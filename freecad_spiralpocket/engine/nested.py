@@ -24,6 +24,7 @@ import shapely
 from shapely import Polygon
 
 from .cleared import ClearedMap
+from .entry import slot_end
 from .floor import FloorPath, Helix, Pass, Slot
 from .linking import Motion, leave_wall
 from .model import Floats, PocketRequest, Tick
@@ -110,10 +111,11 @@ def path_through(
     laps = _inner_first(wall)
     nodes = _nodes(laps, request.cutting.finishing_lap)
     chains = _chains(nodes)
-    walkers = []
+    walkers: list[_Walker] = []
     for done, chain in enumerate(chains):
         tick(0.6 + 0.2 * done / len(chains))
-        walkers.append(_Walker(chain, move, request))
+        asked = None if walkers else request.start_point
+        walkers.append(_Walker(chain, move, request, asked))
     number = {id(node): i for i, node in enumerate(nodes)}
     home = {id(node): r for r, chain in enumerate(chains) for node in chain}
     runs = [
@@ -206,8 +208,16 @@ class _Walker:
         Points of the closed lap at the end, once walked.
     """
 
-    def __init__(self, chain: list[_Node], move: Mover, request: PocketRequest) -> None:
+    def __init__(
+        self,
+        chain: list[_Node],
+        move: Mover,
+        request: PocketRequest,
+        asked: tuple[float, float] | None = None,
+    ) -> None:
         self.chain, self.request, self.last = chain, request, 0
+        #: Where a core is to be opened, as near as it can be [mm].
+        self.asked = asked
         #: The rings to morph through; a finishing lap is walked as it is.
         self.rings = [node.ring for node in chain if not node.wall]
         nodes = chain[: len(self.rings)]
@@ -235,6 +245,10 @@ class _Walker:
         """Return the rings on which the walk may begin, and where."""
         radius, stepover = self.request.cutter_radius, self.request.cutting.stepover
         first = self.chain[0]
+        if first.core is not None and self.asked is not None:
+            if isinstance(first.core, Slot):
+                return [(first.ring, slot_end(first.core, self.asked, self.request))]
+            return [(first.ring, float(first.ring.line.project(shapely.Point(self.asked))))]
         if first.core is not None:
             place = straightest(self.rings[-1].line, BLEND * radius)
             for matched in reversed(self.matches):

@@ -9,18 +9,19 @@ than trochoids. A single point is opened by a helix.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
 from shapely import LineString, Point, Polygon
 
 from .coverable import Center, maximal_centers
-from .entry import fit_helix_radius
-from .floor import Helix
+from .entry import fit_helix_radius, slot_end
+from .floor import Helix, Slot
 from .fronts import buffer, oriented
 from .joints import Joint, joined
 from .model import PocketRequest
+from .polyline import ring_from
 from .skeleton import Skeleton
 from .starts import HALF_WIDTHS, Start, slot_round
 
@@ -73,8 +74,19 @@ def open_centers(region: Polygon, axis: Skeleton, request: PocketRequest) -> Ope
             ways = buffer(_ways(axis, centers, joints), JOINT * request.tool_diameter)
             start = slot_round(region, shapely.union_all([*shapes, ways]), request)
             if start is not None and _opens(start, shapes, region):
+                start = _from_place(start, request)
                 return Opening(start, tuple(centers), half, tuple(joints))
     return _open_point(region, axis, request)
+
+
+def _from_place(start: Start, request: PocketRequest) -> Start:
+    """Return a slot that begins as near to the start point as it can, if one is asked for."""
+    asked = request.start_point
+    if asked is None or not isinstance(start.entry, Slot):
+        return start
+    end = start.ring.interpolate(slot_end(start.entry, asked, request))
+    ring = ring_from(shapely.get_coordinates(start.ring)[:-1], np.array(end.coords[0]))
+    return replace(start, entry=replace(start.entry, ring=ring[:-1]), ring=LineString(ring))
 
 
 def _opens(start: Start, shapes: list[Polygon], region: Polygon) -> bool:
@@ -110,6 +122,8 @@ def _open_point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Open
     center = Center(Point(place), laps, nodes)
     circle = oriented(buffer(center.curve, radius))
     points = np.asarray(circle.exterior.coords)[:-1]
+    if request.start_point is not None:
+        points = ring_from(points, np.array(request.start_point))[:-1]
     angle = float(np.arctan2(*(points[0] - place)[::-1]))
     ring = LineString(np.vstack([points, points[:1]]))
     start = Start("point", circle, region, Helix(place, radius, angle), ring)

@@ -89,8 +89,29 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     _refuse_bad(proved, request)
     _tell(progress, 1.0, "Done")
     seconds = time_of(toolpath, request.machine or MIDDLING).total
-    report = replace(report, time=seconds, notices=(*notices, *uncut, *report.notices))
+    told = (*notices, *uncut, *_start_notices(toolpath, request), *report.notices)
+    report = replace(report, time=seconds, notices=told)
     return Plan(request, toolpath, report, _curves(proved.cuts, request))
+
+
+def _start_notices(toolpath: Toolpath, request: PocketRequest) -> list[Notice]:
+    """Return what is to be told if the cutter goes down far from where it was asked to."""
+    asked = request.start_point
+    if asked is None:
+        return []
+    cut = toolpath.points[:, 2] < request.heights.start_depth - 1e-9
+    down = toolpath.points[int(np.argmax(cut)), :2]
+    off = float(np.hypot(*(down - asked)))
+    if off <= request.tool_diameter:
+        return []
+    return [
+        Notice(
+            f"The cutter goes down at {{at}}, {off:.0f} mm from the start point: that is as near "
+            f"as {request.strategy.value} can begin.",
+            "The strategy Automatic begins anywhere with room for a helix.",
+            (float(down[0]), float(down[1])),
+        )
+    ]
 
 
 def _proved(

@@ -15,6 +15,7 @@ is far from the others they lie closer than they need.
 - Laps become spirals by eq. 11, along gradient lines (turns.py). Where the plate has
   several hottest places there is a spiral about each; laps around them follow outside of
   the saddle (nested.py). The paper spirals from one of them only.
+- A start point that is asked for decides which core is opened first, and where on it.
 - In the middle a helix goes down; where that would mean many laps about a long ridge, or
   where the ridge is closed about an island, a slot along the innermost isotherm that leaves
   no post.
@@ -29,7 +30,7 @@ from itertools import count
 
 import numpy as np
 import shapely
-from shapely import Polygon
+from shapely import Point, Polygon
 
 from ..errors import NotYetError
 from ..floor import FloorPath
@@ -126,8 +127,11 @@ def _lap(family: Family, room: Room, tick: Tick, counter: Iterator[int]) -> Lap:
         return core if core.region is room.region else Lap(room.region, room.level, (core,))
     rooms, slots = _inner_rooms(family, room)
     # the hottest first: its core is the first to be opened
-    inner = [_lap(family, one, tick, counter) for one in reversed(rooms)]
-    return Lap(room.region, room.level, (*inner, *slots))
+    laps = [*(_lap(family, one, tick, counter) for one in reversed(rooms)), *slots]
+    asked = family.request.start_point
+    if asked is not None:
+        laps.sort(key=lambda lap: lap.region.distance(Point(asked)))
+    return Lap(room.region, room.level, tuple(laps))
 
 
 def _inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:

@@ -22,12 +22,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
-from shapely import Polygon
+from shapely import LineString, Polygon
 
+from ..entry import slot_end
 from ..errors import NotYetError
 from ..floor import FloorPath, Helix, Slot
 from ..inner_curves import Spine, axis_spines, is_compact, point_spine
@@ -101,6 +102,12 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
         If there is no room for the helix.
     """
     morph = morph_of(region, request)
+    entry = _entry(morph, request)
+    if request.start_point is not None and isinstance(entry, Slot):
+        # the spiral begins where the slot must end
+        ring = LineString(np.vstack([entry.ring, entry.ring[:1]]))
+        end = ring.interpolate(slot_end(entry, request.start_point, request))
+        morph = morph_of(region, replace(request, start_point=(end.x, end.y)))
     tick(0.5)
     turns, beziers = spiral_beziers(
         morph.breaks, morph.inner, morph.outer, request.cutting.stepover
@@ -164,7 +171,7 @@ def _spines(region: Polygon, request: PocketRequest) -> Iterator[Spine]:
 
 def _fitted(region: Polygon, spine: Spine, request: PocketRequest) -> Morph:
     """Return the morph about a spine, sampled as finely as it needs, or refuse."""
-    ring = rounded_wall(region, spine, request.cutting.stepover)
+    ring = rounded_wall(region, spine, request.cutting.stepover, request.start_point)
     samples = spine.samples(ring, SMOOTHING * request.cutter_radius)
     fault = None
     for halving in range(HALVINGS):
@@ -200,7 +207,12 @@ def _fitted(region: Polygon, spine: Spine, request: PocketRequest) -> Morph:
     )
 
 
-def rounded_wall(region: Polygon, spine: Spine, stepover: float) -> Floats:
+def rounded_wall(
+    region: Polygon,
+    spine: Spine,
+    stepover: float,
+    asked: tuple[float, float] | None = None,
+) -> Floats:
     """Return the wall with its sharp corners rounded, closed, from the positive x-axis on.
 
     Parameters
@@ -211,6 +223,9 @@ def rounded_wall(region: Polygon, spine: Spine, stepover: float) -> Floats:
         Its center is the origin of that axis.
     stepover : float
         The fillet radius follows it [mm].
+    asked : tuple of float, optional
+        Where the cutter shall go down [mm]: the wall then begins beside it, or about a point in
+        its direction.
 
     Returns
     -------
@@ -224,7 +239,13 @@ def rounded_wall(region: Polygon, spine: Spine, stepover: float) -> Floats:
         if shapely.dwithin(rounded, corners, DEEPEST * stepover + INSET).all():
             break
         fillet /= 2
-    return ring_from(np.array(rounded.exterior.coords)[:-1], spine.center, toward=(1.0, 0.0))
+    wall = np.array(rounded.exterior.coords)[:-1]
+    if asked is not None and spine.edges:
+        return ring_from(wall, np.array(asked))
+    ahead = np.array((1.0, 0.0) if asked is None else asked - spine.center)
+    if not ahead.any():
+        ahead = np.array((1.0, 0.0))
+    return ring_from(wall, spine.center, toward=(ahead[0], ahead[1]))
 
 
 def fold(breaks: Floats, inner: Floats, outer: Floats) -> Floats | None:

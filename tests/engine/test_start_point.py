@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the cutter goes down when a start point is asked for, by strategy and cut mode."""
+
+import math
+
+import pytest
+from shapes import DUMBBELL, L_SHAPE, PENTAGON, request
+
+from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.model import CutMode, Cutting, Strategy
+
+
+def way_down(pocket, strategy, asked, mode=CutMode.CLIMB):
+    """Return how far from the start point the cutter goes down, and the plan."""
+    cutting = Cutting(stepover=2.4, cut_mode=mode)
+    made = plan(request(pocket, strategy=strategy, start_point=asked, cutting=cutting))
+    first = next(p for p in made.toolpath.points if p[2] < 0)
+    assert made.report.uncut_area < 0.01
+    assert made.report.gouge < 0.01
+    assert made.report.link_hit < 0.1
+    return math.hypot(*(first[:2] - asked)), made
+
+
+def told(made) -> list[str]:
+    return [n.message for n in made.report.notices if "from the start point" in n.message]
+
+
+@pytest.mark.parametrize("mode", CutMode)
+@pytest.mark.parametrize("asked", [(33.0, 3.0), (-33.0, 3.0)])
+@pytest.mark.parametrize(
+    "strategy",
+    [
+        Strategy.AUTOMATIC,
+        Strategy.LINEAR_MORPH,
+        Strategy.EXTENDED_ARCHIMEDEAN,
+        Strategy.ISOTHERM,
+    ],
+)
+def test_the_room_that_is_asked_for_is_entered_first(strategy, asked, mode):
+    off, made = way_down(DUMBBELL, strategy, asked, mode)
+    assert off < 2 * made.request.tool_diameter
+    assert bool(told(made)) == (off > made.request.tool_diameter)
+
+
+@pytest.mark.parametrize("strategy", Strategy)
+def test_a_start_far_off_is_told_where_a_method_begins_in_the_middle(strategy):
+    off, made = way_down(PENTAGON, strategy, (0.0, 22.0))
+    if strategy is Strategy.AUTOMATIC:
+        assert not told(made)
+    else:
+        assert off > made.request.tool_diameter
+        assert len(told(made)) == 1
+        assert strategy.value in told(made)[0]
+
+
+@pytest.mark.parametrize("strategy", [Strategy.LINEAR_MORPH, Strategy.EXTENDED_ARCHIMEDEAN])
+def test_a_slot_begins_beside_the_start_point(strategy):
+    for asked in ((60.0, 15.0), (15.0, 60.0)):
+        off, _ = way_down(L_SHAPE, strategy, asked)
+        assert off < 6.0
