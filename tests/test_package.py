@@ -103,6 +103,18 @@ def test_package_import_is_light():
     assert not {"numpy", "scipy", "shapely"} & modules
 
 
+def test_automatic_does_without_scipy():
+    # to load it takes as long as to plan a small pocket
+    modules, _ = modules_after(
+        f"from shapely import box; from {OURS}.engine import plan; "
+        f"from {OURS}.engine.model import Cutting, Feeds, Heights, PocketRequest; "
+        "plan(PocketRequest(box(0, 0, 30, 20), 6.0, Heights(5.0, 2.0, 0.0, -2.0, 2.0), "
+        "Feeds(50.0, 10.0, 80.0, 80.0), Cutting(2.4)))"
+    )
+    assert "shapely" in modules
+    assert "scipy" not in modules
+
+
 def test_engine_imports_without_freecad(record_property):
     modules, seconds = modules_after(f"import {OURS}.engine.planner")
     record_property("seconds", seconds)  # reported in the results, not judged

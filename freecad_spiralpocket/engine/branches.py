@@ -12,12 +12,12 @@ from itertools import pairwise
 
 import numpy as np
 import shapely
-from scipy.ndimage import gaussian_filter1d
-from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
+from .filters import evened
 from .fronts import buffer, largest
 from .model import Floats
+from .nearest import nearest
 from .polyline import points_at
 from .skeleton import Edges, Skeleton, distances_from
 
@@ -69,7 +69,7 @@ def smoothed(line: LineString, width: float) -> Floats:
     """Return a line with its bends smoothed and its ends where they were."""
     count = max(4, int(line.length / SAMPLING))
     points = points_at(line, np.linspace(0, line.length, count))
-    smooth = gaussian_filter1d(points, width * count / line.length, axis=0, mode="nearest")
+    smooth = evened(points, width * count / line.length)
     smooth[0], smooth[-1] = points[0], points[-1]
     return shapely.get_coordinates(shapely.simplify(LineString(smooth), 0.01))
 
@@ -116,11 +116,10 @@ def feet_between(
         How far the nearest of them is from the first tip; without any, the other tip [mm].
     """
     nodes, distances = distances_from(axis, edges, np.array(ring.coords[0]))
-    tree = cKDTree(nodes)
     feet, trunk = [], tips[0]
     for a, b in pairwise(tips):
         s = np.linspace(a, b, max(3, int((b - a) / SAMPLING)))
-        near = distances[tree.query(points_at(ring, s))[1]]
+        near = distances[nearest(nodes, points_at(ring, s))[1]]
         low = np.flatnonzero(near <= near.min() + 1e-9)
         feet.append(float(s[low[len(low) // 2]]))
         trunk = min(trunk, float(near.min()))

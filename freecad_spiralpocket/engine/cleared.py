@@ -12,14 +12,17 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
-from scipy import ndimage
-from scipy.spatial import cKDTree
 from shapely import Polygon
 
+from .filters import dilated
 from .model import Floats
+from .nearest import nearest
 from .strokes import Stroke
 
+#: Pixels along the side of a block.
+BLOCK = 4
 #: Pixels from the ends of a path within which the edge of free ground is good enough.
 ENDS = 3.0
 
@@ -55,58 +58,99 @@ class ClearedMap:
         self.pixel, self.reach = pixel, reach
         self.origin = np.array([x0 - 2 * pixel, y0 - 2 * pixel])
         self.shape = (int((y1 - y0) / pixel) + 5, int((x1 - x0) / pixel) + 5)
-        level = np.full(self.shape, len(fronts) + 1, np.int32)
-        for k in range(len(fronts) - 1, -1, -1):
-            level[self.rasterize(fronts[k])] = k
+        # the fronts are nested: who is in many of them was in early
+        level = len(fronts) - self._turns(fronts)
+        level[level == len(fronts)] += 1
         for zone in late:
             level[self.rasterize(zone) & (level == 0)] = len(fronts)
         self._inside = self.rasterize(region)
         owner = self._owners(level, strokes)
-        order = np.argsort(owner, axis=None, kind="stable")
+        order = np.argsort(owner, axis=None, kind="stable").astype(np.int32)
         bounds = np.searchsorted(owner.ravel()[order], np.arange(len(strokes) + 1))
         self._cells_of = [order[a:b] for a, b in pairwise(bounds)]
         # ground that needs no stroke holds no stock: the cutter reached over it
         idle = owner < 0
         cleared = (level <= len(fronts)) & idle & self._inside
         #: Within a pixel of cleared ground: strokes begin and end on the very edge of it.
-        self.near = ndimage.binary_dilation(cleared)
+        self.near = dilated(cleared)
         #: Cleared ground, and beside a wall the pixel that the wall cuts through.
         self.free = cleared | (self.near & ~self._inside)
 
     def rasterize(self, polygon: Polygon) -> NDArray[np.bool_]:
-        """Return which pixel centers are inside a polygon, by parity along the rows."""
-        flips = np.zeros((self.shape[0], self.shape[1] + 1), np.int8)
-        for ring in (polygon.exterior, *polygon.interiors):
-            points = (np.asarray(ring.coords) - self.origin) / self.pixel - 0.5
+        """Return which pixel centers are inside a polygon."""
+        return self._turns([polygon]) != 0
+
+    def _turns(self, polygons: Sequence[Polygon]) -> NDArray[np.int16]:
+        """Return in how many of the polygons, counter-clockwise, each pixel's center is."""
+        width = self.shape[1] + 1
+        flips = np.zeros(self.shape[0] * width, np.int16)
+        for polygon in polygons:
+            ends, ring = shapely.get_coordinates(
+                (polygon.exterior, *polygon.interiors), return_index=True
+            )
+            points = (ends - self.origin) / self.pixel - 0.5
             points[:, 1] = np.clip(points[:, 1], 0, self.shape[0] - 1)
-            a, b = points[:-1], points[1:]
-            low = np.ceil(np.minimum(a[:, 1], b[:, 1])).astype(int)
-            high = np.ceil(np.maximum(a[:, 1], b[:, 1])).astype(int)  # half open: low <= row < high
+            same = ring[1:] == ring[:-1]
+            a, b = points[:-1][same], points[1:][same]
+            low = np.ceil(np.minimum(a[:, 1], b[:, 1])).astype(np.int64)
+            high = np.ceil(np.maximum(a[:, 1], b[:, 1])).astype(np.int64)  # low <= row < high
             counts = high - low
             edge = np.repeat(np.arange(len(a)), counts)
-            offset = np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts)
-            row = low[edge] + offset
+            row = low[edge] + np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts)
             share = (row - a[edge, 1]) / (b[edge, 1] - a[edge, 1])
-            column = np.ceil(a[edge, 0] + share * (b[edge, 0] - a[edge, 0])).astype(int)
-            np.add.at(flips, (row, np.clip(column, 0, self.shape[1])), 1)
-        return (np.cumsum(flips[:, :-1], axis=1) & 1).astype(bool)
+            column = np.ceil(a[edge, 0] + share * (b[edge, 0] - a[edge, 0])).astype(np.int64)
+            # counter-clockwise, what is entered from the left is entered on the way down
+            sign = np.where(a[edge, 1] > b[edge, 1], 1, -1).astype(np.int16)
+            np.add.at(flips, row * width + np.clip(column, 0, width - 1), sign)
+        return np.cumsum(flips.reshape(self.shape[0], width)[:, :-1], axis=1, dtype=np.int16)
 
-    def _owners(self, level: NDArray[np.int32], strokes: Sequence[Stroke]) -> NDArray[np.int32]:
+    def _owners(self, level: NDArray[np.int16], strokes: Sequence[Stroke]) -> NDArray[np.int32]:
         """Return which stroke frees each pixel: the nearest of its level; -1 where none does."""
-        owner = np.full(self.shape, -1, np.int32)
+        owner = np.full(level.size, -1, np.int32)
         of_level: dict[int, list[int]] = {}
         for i, stroke in enumerate(strokes):
             of_level.setdefault(stroke.level, []).append(i)
+        order = np.argsort(level, axis=None, kind="stable").astype(np.int32)
+        bounds = np.searchsorted(level.ravel()[order], np.arange(max(of_level, default=0) + 2))
         for k, members in of_level.items():
-            mask = level == k
-            points = np.concatenate([strokes[i].points for i in members])
-            which = np.repeat(members, [len(strokes[i].points) for i in members])
-            rows, columns = np.nonzero(mask)
-            places = self.origin + self.pixel * (np.column_stack([columns, rows]) + 0.5)
-            distance, nearest = cKDTree(points).query(places, distance_upper_bound=self.reach)
-            found = np.isfinite(distance)
-            owner[rows[found], columns[found]] = which[nearest[found]]
-        return owner
+            pixels = order[bounds[k] : bounds[k + 1]]
+            if len(pixels):
+                owner[pixels] = self._nearest_strokes(pixels, members, strokes)
+        return owner.reshape(level.shape)
+
+    def _nearest_strokes(
+        self, pixels: NDArray[np.int32], members: list[int], strokes: Sequence[Stroke]
+    ) -> NDArray[np.int32]:
+        """Return the nearest of the member strokes for each pixel, -1 beyond the reach.
+
+        Blocks of pixels are asked first. Where the answer is the same for all blocks around and
+        surely within reach, it holds for each pixel of the block.
+        """
+        points = np.concatenate([strokes[i].points for i in members])
+        which = np.repeat(np.array(members, np.int32), [len(strokes[i].points) for i in members])
+        row, column = np.divmod(pixels, self.shape[1])
+        across = self.shape[1] // BLOCK + 3
+        block, of = np.unique(
+            (row // BLOCK + 1) * across + column // BLOCK + 1, return_inverse=True
+        )
+        middles = np.column_stack([block % across - 1, block // across - 1]) + 0.5
+        slack = 0.75 * BLOCK * self.pixel  # more than half a diagonal
+        places = self.origin + BLOCK * self.pixel * middles
+        distance, index = nearest(points, places, self.reach + slack)
+        found = np.where(np.isfinite(distance), which[index], -1)
+        alike = np.abs(distance - self.reach) > slack
+        if len(members) > 1:
+            for step in (1, across - 1, across, across + 1):
+                at = np.minimum(np.searchsorted(block, block + step), len(block) - 1)
+                differs = (block[at] == block + step) & (found[at] != found)
+                alike &= ~differs
+                alike[at[differs]] = False
+        result = found[of.ravel()]
+        doubtful = np.flatnonzero(~alike[of.ravel()])
+        places = np.column_stack([column[doubtful], row[doubtful]]) + 0.5
+        distance, index = nearest(points, self.origin + self.pixel * places, self.reach)
+        result[doubtful] = np.where(np.isfinite(distance), which[index], -1)
+        return result
 
     def cells(self, points: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         """Return row and column of each point's pixel, clipped to the raster."""

@@ -8,6 +8,7 @@ and Debian 12 has a shapely that is too old.
 from __future__ import annotations
 
 from importlib import import_module
+from importlib.util import find_spec
 from types import ModuleType
 
 from .errors import SetupError
@@ -29,20 +30,28 @@ def require(name: str) -> ModuleType:
     try:
         return import_module(name)
     except ImportError as error:
-        raise SetupError(
-            f"Spiral Pocket needs the Python library {name}, which this FreeCAD lacks.", _HINT
-        ) from error
+        raise _missing(name) from error
+
+
+def _missing(name: str) -> SetupError:
+    return SetupError(
+        f"Spiral Pocket needs the Python library {name}, which this FreeCAD lacks.", _HINT
+    )
 
 
 def require_libraries() -> None:
-    """Check that numpy, scipy and shapely 2 can be imported.
+    """Check that numpy, scipy and shapely 2 are there.
+
+    scipy is not loaded: that takes time, and Automatic does without.
 
     Raises
     ------
     SetupError
         If one is missing or too old; the message names it.
     """
-    for name in ("numpy", "scipy", "shapely"):
+    if find_spec("scipy") is None:
+        raise _missing("scipy")
+    for name in ("numpy", "shapely"):
         module = require(name)
         # versions cannot be parsed: Debian's build of shapely reports "0+unknown"
         if name == "shapely" and not hasattr(module, "get_coordinates"):

@@ -23,8 +23,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import minimum_filter1d
 
+from .filters import lowest
 from .model import FeedMode, Floats
 from .runs import lengthen_runs
 from .stations import Measured, ends_of, points_at, stations_of
@@ -213,7 +213,7 @@ def _steps_between(
     first, last = np.searchsorted(stations, (begin - slack, end + slack))
     if first == last:
         return np.array([begin, end]), np.ones(1)
-    values = minimum_filter1d(ratios[first:last], 3, mode="nearest")
+    values = lowest(ratios[first:last], 3)
     edges = np.r_[begin, np.clip(stations[first:last], begin, end), end]
     values = np.r_[values[0], np.minimum(values[:-1], values[1:]), values[-1]]
     keep = np.diff(edges) > slack

@@ -26,9 +26,9 @@ from typing import TypeAlias
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 from shapely import MultiPolygon, Polygon
 
+from .filters import evened, highest
 from .model import Floats
 from .polyline import points_at
 from .region import polygons_of
@@ -123,7 +123,7 @@ def _stepped_ring(
     slim = 2 * shapely.area(Polygon(ring)) / ring.length
     spacing = SPACING * min(rules.cutter_radius, max(slim, 0.05 * rules.cutter_radius))
     points = ring_samples(ring, spacing)
-    soft = gaussian_filter1d(points, SOFT / SPACING, axis=0, mode="wrap")
+    soft = evened(points, SOFT / SPACING, closed=True)
     tangent = (np.roll(soft, -1, axis=0) - np.roll(soft, 1, axis=0)) / 2
     bend = np.roll(soft, -1, axis=0) - 2 * soft + np.roll(soft, 1, axis=0)
     speed = np.hypot(tangent[:, 0], tangent[:, 1]) + 1e-12
@@ -131,8 +131,8 @@ def _stepped_ring(
     on_wall = shapely.dwithin(omega.boundary, shapely.points(points), 0.02)
     curvature = np.where(on_wall, 0.0, np.maximum(curvature, 0.0))
     width = max(3, round(2 * REACH * rules.cutter_radius / spacing) | 1)
-    curvature = maximum_filter1d(curvature, width, mode="wrap")
-    curvature = gaussian_filter1d(curvature, EVEN * rules.cutter_radius / spacing, mode="wrap")
+    curvature = highest(curvature, width, closed=True)
+    curvature = evened(curvature, EVEN * rules.cutter_radius / spacing, closed=True)
     step = np.where(on_wall, 0.0, engagement_step(curvature, rules))
     normal = np.column_stack([tangent[:, 1], -tangent[:, 0]]) / speed[:, None]
     return points + step[:, None] * normal, float(step[~on_wall].min(initial=rules.stepover))

@@ -83,12 +83,7 @@ def _hermite_basis(count: int) -> Floats:
 
 
 def hermite_links(
-    start: Floats,
-    heading: Floats,
-    ends: Floats,
-    headings: Floats,
-    radius: float,
-    count: int = POINTS,
+    start: Floats, heading: Floats, ends: Floats, headings: Floats, radius: float
 ) -> Floats:
     """Return candidates for a smooth link, tangent at both ends.
 
@@ -103,9 +98,30 @@ def hermite_links(
 
     Returns
     -------
-    ndarray of shape (m, h, count, 2)
+    ndarray of shape (m, h, POINTS, 2)
         h combinations of handle lengths.
     """
+    return _curves(_controls(start, heading, ends, headings, radius), POINTS)
+
+
+def fine_link(
+    start: Floats,
+    heading: Floats,
+    end: Floats,
+    arriving: Floats,
+    radius: float,
+    which: int,
+    count: int,
+) -> Floats:
+    """Return one of the candidates, by its place among the combinations, shape (count, 2)."""
+    controls = _controls(start, heading, end[None], arriving[None], radius)
+    return _curves(controls[:, which : which + 1], count)[0, 0]
+
+
+def _controls(
+    start: Floats, heading: Floats, ends: Floats, headings: Floats, radius: float
+) -> Floats:
+    """Return begin, tangent, end and tangent of the candidates, shape (m, h, 4, 2)."""
     distance = np.hypot(*(ends - start).T)
     handles = np.concatenate(
         [
@@ -115,19 +131,19 @@ def hermite_links(
         axis=1,
     )
     n = handles.shape[1]
-    one = np.repeat(handles, n, axis=1)[..., None] * 3
-    two = np.tile(handles, (1, n))[..., None] * 3
-    shape = (len(ends), n * n, 2)
-    controls = np.stack(
-        [
-            np.broadcast_to(start, shape),
-            one * heading,
-            np.broadcast_to(ends[:, None], shape),
-            two * headings[:, None],
-        ],
-        axis=2,
-    )
-    return np.einsum("pk,mhkc->mhpc", _hermite_basis(count), controls)
+    controls = np.empty((len(ends), n * n, 4, 2))
+    controls[:, :, 0] = start
+    controls[:, :, 1] = np.repeat(handles, n, axis=1)[..., None] * 3 * heading
+    controls[:, :, 2] = ends[:, None]
+    controls[:, :, 3] = np.tile(handles, (1, n))[..., None] * 3 * headings[:, None]
+    return controls
+
+
+def _curves(controls: Floats, count: int) -> Floats:
+    """Return points of curves from their controls, shape (m, h, count, 2)."""
+    m, h = controls.shape[:2]
+    flat = np.moveaxis(controls, 2, 0).reshape(4, -1)
+    return np.moveaxis((_hermite_basis(count) @ flat).reshape(count, m, h, 2), 0, 2)
 
 
 def link_times(paths: Floats, motion: Motion) -> Floats:

@@ -17,7 +17,7 @@ import shapely
 from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
-from .linking import Motion, hermite_links, link_times
+from .linking import Motion, fine_link, hermite_links, link_times
 from .model import Floats
 from .polyline import points_at
 from .routing import route
@@ -264,11 +264,12 @@ def _next(
         tried = ready[first : first + TRIED]
         paths = hermite_links(start, heading, starts[tried], headings[tried], radius)
         free = cleared.are_free(paths)
-        times = np.where(free, link_times(paths, motion), np.inf)
-        for flat in np.argsort(times, axis=None, kind="stable")[: free.sum()][:CHECKED]:
-            m, h = np.unravel_index(flat, times.shape)
-            i = tried[int(m)]
-            fine = hermite_links(start, heading, starts[[i]], headings[[i]], radius, FINE)[0, h]
+        end, handles = np.nonzero(free)
+        times = link_times(paths[end, handles], motion)
+        for flat in np.argsort(times, kind="stable")[:CHECKED]:
+            i = tried[int(end[flat])]
+            which = int(handles[flat])
+            fine = fine_link(start, heading, starts[i], headings[i], radius, which, FINE)
             if cleared.are_free(fine) and fence.covers(LineString(fine)):
                 return fine, i
     for i in ready[:ROUTED]:

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from importlib import import_module
 
 import numpy as np
 from shapely import Polygon
@@ -24,7 +25,6 @@ from .engagement import Engagement, along_path
 from .errors import CancelledError, ProofError, SpiralPocketError
 from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
-from .laps import automatic, central, extended_archimedean, isotherm, linear_morph
 from .levels import levels_of
 from .machine import MIDDLING
 from .model import (
@@ -45,12 +45,21 @@ from .timing import time_of
 from .toolpath import Toolpath
 from .verify import prove
 
+
+def _by(module: str, region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
+    """Return the path by a module of `laps`, which is loaded when it is asked for.
+
+    Some need parts of scipy that take as long to load as Automatic takes for a small pocket.
+    """
+    return import_module(f".laps.{module}", __package__).floor_path(region, request, tick)
+
+
 _STRATEGIES: dict[Strategy, Callable[[Polygon, PocketRequest, Tick], FloorPath]] = {
-    Strategy.AUTOMATIC: automatic.floor_path,
-    Strategy.LINEAR_MORPH: linear_morph.floor_path,
-    Strategy.EXTENDED_ARCHIMEDEAN: extended_archimedean.floor_path,
-    Strategy.ISOTHERM: isotherm.floor_path,
-    Strategy.CENTRAL_SPIRAL: central.floor_path,
+    Strategy.AUTOMATIC: partial(_by, "automatic"),
+    Strategy.LINEAR_MORPH: partial(_by, "linear_morph"),
+    Strategy.EXTENDED_ARCHIMEDEAN: partial(_by, "extended_archimedean"),
+    Strategy.ISOTHERM: partial(_by, "isotherm"),
+    Strategy.CENTRAL_SPIRAL: partial(_by, "central"),
 }
 
 

@@ -8,12 +8,16 @@ points, the closer it keeps to that way.
 
 from __future__ import annotations
 
+import heapq
+import math
+
 import numpy as np
 import shapely
-from scipy import ndimage
+from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
+from .filters import dilated
 from .model import Floats
 
 #: Raster pixels to a cell of the coarse grid.
@@ -22,6 +26,13 @@ COARSE = 3
 CHORD = 0.12
 #: Distances of control points tried, over R.
 SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5)
+#: A step along the edge of free ground counts as longer by this share; farther from it by that
+#: over the number of cells, up to so many.
+EDGE_TOLL, OFF = 0.5, 6
+#: Steps to the cells around one, and their lengths.
+NEIGHBORS = tuple(
+    (dr, dc, math.hypot(dr, dc)) for dr in (-1, 0, 1) for dc in (-1, 0, 1) if dr or dc
+)
 
 
 def route(
@@ -49,61 +60,96 @@ def route(
         controls = np.vstack(
             [start, start + handle * heading / 2, middle, end - handle * arriving / 2, end]
         )
-        curve = _clamped(controls, max(97, int(line.length / CHORD)))
+        curve = clamped_spline(controls, max(97, int(line.length / CHORD)))
         if cleared.are_free(curve) and fence.covers(LineString(curve)):
             return curve
     return None
 
 
-def _clamped(controls: Floats, count: int) -> Floats:
-    from scipy.interpolate import BSpline  # takes a quarter second to load
-
+def clamped_spline(controls: Floats, count: int) -> Floats:
+    """Return `count` points of a clamped cubic B-spline, by de Boor's algorithm."""
     n = len(controls)
     degree = min(3, n - 1)
     knots = np.concatenate([np.zeros(degree), np.linspace(0, 1, n - degree + 1), np.ones(degree)])
-    return BSpline(knots, controls, degree)(np.linspace(0, 1, count))
+    u = np.linspace(0, 1, count)
+    span = np.clip(np.searchsorted(knots, u, side="right") - 1, degree, n - 1)
+    points = controls[span[:, None] + np.arange(-degree, 1)]
+    for r in range(1, degree + 1):
+        i = span[:, None] + np.arange(r - degree, 1)
+        low, high = knots[i], knots[i + degree - r + 1]
+        share = ((u[:, None] - low) / (high - low))[..., None]
+        points = (1 - share) * points[:, :-1] + share * points[:, 1:]
+    return points[:, 0]
 
 
 def shortest_way(start: Floats, end: Floats, cleared: ClearedMap) -> Floats | None:
     """Return the shortest way over the coarse grid, its ends replaced by the exact ones."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import dijkstra
-
     free = cleared.near
     rows, columns = (n // COARSE for n in free.shape)
     blocks = free[: rows * COARSE, : columns * COARSE].reshape(rows, COARSE, columns, COARSE)
-    open_ = blocks.all(axis=(1, 3))
-    ids = np.arange(rows * columns).reshape(rows, columns)
+    open_: NDArray[np.bool_] = np.asarray(blocks.all(axis=(1, 3)))
     size = COARSE * cleared.pixel
     source = _nearest_open(start, open_, cleared, size)
     target = _nearest_open(end, open_, cleared, size)
     if source is None or target is None:
         return None
-    heads, tails, weights = [], [], []
-    clear = ndimage.distance_transform_edt(open_)
-    for dr, dc in ((0, 1), (1, 0), (1, 1), (1, -1)):
-        a = (slice(0, rows - dr), slice(max(0, -dc), columns - max(0, dc)))
-        b = (slice(dr, rows), slice(max(0, dc), columns - max(0, -dc)))
-        both = open_[a] & open_[b]
-        heads.append(ids[a][both])
-        tails.append(ids[b][both])
-        # keep off the edge where that costs little
-        weights.append(np.hypot(dr, dc) * (1 + 0.5 / np.minimum(clear[a], clear[b])[both]))
-    graph = coo_array(
-        (np.concatenate(weights), (np.concatenate(heads), np.concatenate(tails))),
-        shape=(ids.size, ids.size),
-    ).tocsr()
-    distance, before = dijkstra(graph, directed=False, indices=source, return_predecessors=True)
-    if not np.isfinite(distance[target]):
+    path = _cheapest(_tolls(open_), columns, source, target)
+    if path is None:
         return None
-    path = [target]
-    while path[-1] != source:
-        path.append(int(before[path[-1]]))
-    cells = np.array(path[::-1])
+    cells = np.array(path)
     centers = cleared.origin + size * np.column_stack(
         [cells % columns + 0.5, cells // columns + 0.5]
     )
     return np.vstack([start, centers[1:-1], end])
+
+
+def _tolls(open_: NDArray[np.bool_]) -> list[float]:
+    """Return by how much longer a step into each cell counts than it is; infinite where closed.
+
+    Keeping off the edge of free ground is worth a little; farther from it than `OFF` cells
+    nothing is gained any more.
+    """
+    off = np.zeros(open_.shape)
+    closed = ~open_
+    for _ in range(OFF):
+        off += ~closed
+        closed = dilated(closed)
+    toll = np.full(open_.shape, np.inf)
+    toll[open_] = EDGE_TOLL / off[open_]
+    return toll.ravel().tolist()
+
+
+def _cheapest(tolls: list[float], columns: int, source: int, target: int) -> list[int] | None:
+    """Return the cells along the cheapest way from `source` to `target`; None if there is none.
+
+    A*, with the distance as the crow flies for what lies ahead.
+    """
+    row, column = divmod(target, columns)
+    gone = {source: 0.0}
+    before: dict[int, int] = {}
+    heap = [(0.0, source)]
+    done: set[int] = set()
+    while heap:
+        cell = heapq.heappop(heap)[1]
+        if cell == target:
+            path = [target]
+            while path[-1] != source:
+                path.append(before[path[-1]])
+            return path[::-1]
+        if cell in done:
+            continue
+        done.add(cell)
+        r, c = divmod(cell, columns)
+        for dr, dc, step in NEIGHBORS:
+            other = cell + dr * columns + dc
+            if not (0 <= c + dc < columns and 0 <= other < len(tolls)):
+                continue
+            cost = gone[cell] + step * (1.0 + max(tolls[cell], tolls[other]))
+            if cost < gone.get(other, math.inf):
+                gone[other], before[other] = cost, cell
+                ahead = math.hypot(row - r - dr, column - c - dc)
+                heapq.heappush(heap, (cost + ahead, other))
+    return None
 
 
 def _nearest_open(point: Floats, open_: np.ndarray, cleared: ClearedMap, size: float) -> int | None:

@@ -15,24 +15,24 @@ import heapq
 import math
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 from shapely import Polygon
 
+from .graphs import delaunay_triangles, shortest_paths
 from .model import Floats
-
-if TYPE_CHECKING:
-    from scipy.sparse import csr_array
+from .nearest import nearest
 
 #: Pairs of node indices.
 Edges: TypeAlias = list[tuple[int, int]]
 
 #: Boundary samples are this far apart at least and at most [mm], and about this many.
 SAMPLE_MIN, SAMPLE_MAX, SAMPLES = 0.3, 2.0, 700
+#: Corners of Voronoi cells closer than this are one [mm].
+SAME_CORNER = 1e-6
 #: A Voronoi edge belongs to the axis if the two samples that it parts are farther apart, along the
 #: boundary, than this share of the clearance: blunter corners have no branch.
 SPREAD = 0.6
@@ -64,16 +64,10 @@ def medial_axis(region: Polygon) -> Skeleton:
 
     O(n log n) in the number of boundary samples.
     """
-    from scipy.spatial import Voronoi
-
     spacing = float(np.clip(region.length / SAMPLES, SAMPLE_MIN, SAMPLE_MAX))
     rings = [_ring_samples(r, spacing) for r in (region.exterior, *region.interiors)]
     samples = np.vstack(rings)
-    diagram = Voronoi(samples)
-    ridges = np.array(diagram.ridge_vertices)
-    finite = (ridges >= 0).all(axis=1)
-    ridges, pairs = ridges[finite], diagram.ridge_points[finite]
-    vertices = diagram.vertices
+    vertices, ridges, pairs = _voronoi(samples)
     inside = shapely.contains_xy(region, vertices[:, 0], vertices[:, 1])
     middle = vertices[ridges].mean(axis=1)
     clearance = np.hypot(*(middle - samples[pairs[:, 0]]).T)
@@ -88,6 +82,40 @@ def medial_axis(region: Polygon) -> Skeleton:
         edges.reshape(-1, 2),
         samples[pairs[keep]],
     )
+
+
+def _voronoi(samples: Floats) -> tuple[Floats, NDArray[np.intp], NDArray[np.intp]]:
+    """Return the Voronoi diagram of points, without the edges that go to infinity.
+
+    Returns
+    -------
+    corners : ndarray of shape (v, 2)
+    edges : ndarray of int, shape (e, 2)
+        Of two corners each.
+    pairs : ndarray of int, shape (e, 2)
+        The two samples that each edge parts.
+    """
+    triangles = delaunay_triangles(samples)
+    sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    order = np.lexsort(sides.T)
+    twice = np.flatnonzero((np.diff(sides[order], axis=0) == 0).all(axis=1))
+    pairs = sides[order[twice]]
+    edges = np.column_stack([order[twice], order[twice + 1]]) // 3
+    a, b, c = (samples[triangles[:, i]] for i in range(3))
+    ab, ac = b - a, c - a
+    area = ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0]
+    q, s = (ab**2).sum(axis=1), (ac**2).sum(axis=1)
+    # three samples in line have their center far outside
+    twice_area = np.where(np.abs(area) < 1e-12 * np.maximum(q, s), 1e-300, 2 * area)
+    away = np.column_stack([ac[:, 1] * q - ab[:, 1] * s, ab[:, 0] * s - ac[:, 0] * q])
+    centers = a + np.clip(away / twice_area[:, None], -1e6, 1e6)
+    # samples on one circle share their corner
+    _, first, corner = np.unique(
+        np.round(centers / SAME_CORNER), axis=0, return_index=True, return_inverse=True
+    )
+    edges = corner.ravel()[edges]
+    real = edges[:, 0] != edges[:, 1]
+    return centers[first], edges[real], pairs[real]
 
 
 def _ring_samples(ring: shapely.LinearRing, spacing: float) -> Floats:
@@ -208,14 +236,12 @@ def longest_route(axis: Skeleton, edges: NDArray[np.intp]) -> NDArray[np.intp]:
     edges : ndarray of int, shape (m, 2)
         Connected.
     """
-    from scipy.sparse.csgraph import dijkstra
-
     if len(edges) == 0:
         return np.empty(0, np.intp)
-    used, graph = _graph(axis, edges)
+    used, index, lengths = _graph(axis, edges)
 
     def farthest(start: int) -> tuple[int, NDArray[np.intp]]:
-        distances, before = dijkstra(graph, directed=False, indices=start, return_predecessors=True)
+        distances, before = shortest_paths(index, lengths, start)
         distances[~np.isfinite(distances)] = -1.0
         return int(np.argmax(distances)), before
 
@@ -236,21 +262,17 @@ def distances_from(axis: Skeleton, edges: Edges, place: Floats) -> tuple[Floats,
     distances : ndarray of shape (n,)
         [mm]
     """
-    from scipy.sparse.csgraph import dijkstra
-
-    used, graph = _graph(axis, np.array(edges, np.intp).reshape(-1, 2))
+    used, index, lengths = _graph(axis, np.array(edges, np.intp).reshape(-1, 2))
     nodes = axis.nodes[used]
-    start = int(cKDTree(nodes).query(place)[1])
-    return nodes, dijkstra(graph, directed=False, indices=start)
+    start = int(nearest(nodes, np.array(place).reshape(1, 2))[1][0])
+    return nodes, shortest_paths(index, lengths, start)[0]
 
 
-def _graph(axis: Skeleton, edges: NDArray[np.intp]) -> tuple[NDArray[np.intp], csr_array]:
-    """Return the indices of the nodes of `edges`, shape (n,), and the graph of their distances."""
-    from scipy.sparse import coo_array
-
+def _graph(
+    axis: Skeleton, edges: NDArray[np.intp]
+) -> tuple[NDArray[np.intp], NDArray[np.intp], Floats]:
+    """Return the indices of the nodes of `edges`, shape (n,), the edges between these, lengths."""
     used, index = np.unique(edges, return_inverse=True)
     index = index.reshape(-1, 2)
     nodes = axis.nodes[used]
-    weights = np.hypot(*(nodes[index[:, 0]] - nodes[index[:, 1]]).T)
-    graph = coo_array((weights, (index[:, 0], index[:, 1])), shape=(len(used),) * 2)
-    return used, graph.tocsr()
+    return used, index, np.hypot(*(nodes[index[:, 0]] - nodes[index[:, 1]]).T)

@@ -13,11 +13,11 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
-from scipy.ndimage import gaussian_filter1d
-from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
+from .filters import evened
 from .model import Floats
+from .nearest import nearest
 from .polyline import points_at
 from .strokes import CHORD, Stroke
 
@@ -72,7 +72,7 @@ def blend(lap: LineString, start: float, target: LineString, length: float) -> F
     across = shapely.line_locate_point(target, shapely.points(source))
     # the nearest point jumps at every vertex of the chords that stand for a curve
     across = np.unwrap(across, period=target.length)
-    across = gaussian_filter1d(across, EVEN / FINE_CHORD, mode="nearest")
+    across = evened(across, EVEN / FINE_CHORD)
     onto = points_at(target, across % target.length)
     s = eased(u)[:, None]
     return (1 - s) * source + s * onto
@@ -87,8 +87,8 @@ def gaps(lap: LineString, target: LineString, starts: Floats, length: float) -> 
     """Return the widest gap to `target` in the zone of `length` that begins at each of `starts`."""
     at = (starts[:, None] + np.linspace(0.0, length, 7)) % lap.length
     points = points_at(lap, at.ravel())
-    tree = cKDTree(shapely.get_coordinates(shapely.segmentize(target, CHORD)))
-    return tree.query(points)[0].reshape(at.shape).max(axis=1)
+    chords = shapely.get_coordinates(shapely.segmentize(target, CHORD))
+    return nearest(chords, points)[0].reshape(at.shape).max(axis=1)
 
 
 def zones(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:

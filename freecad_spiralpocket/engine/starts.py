@@ -24,6 +24,7 @@ from .entry import WIDEST, fit_helix_radius
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot
 from .fronts import buffer, largest, oriented
+from .graphs import delaunay_triangles, spanning_tree
 from .model import Floats, PocketRequest
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
@@ -304,18 +305,13 @@ def _island_ring(region: Polygon, request: PocketRequest) -> Start | None:
 
 def _bridges(islands: list[Polygon]) -> list[LineString]:
     """Return the shortest lines that join all islands, as a minimum spanning tree."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import minimum_spanning_tree
-
     if len(islands) < 2:
         return []
     shapes = np.array(islands, dtype=object)
     pairs = _neighbors(islands)
-    gaps = np.maximum(shapely.distance(*shapes[pairs.T]), 1e-9)
-    graph = coo_array((gaps, (pairs[:, 0], pairs[:, 1])), shape=(len(islands),) * 2)
-    tree = minimum_spanning_tree(graph.tocsr()).tocoo()
+    tree = spanning_tree(len(islands), pairs, shapely.distance(*shapes[pairs.T]))
     lines = []
-    for a, b in zip(tree.row.tolist(), tree.col.tolist(), strict=True):
+    for a, b in tree.tolist():
         line = shapely.shortest_line(islands[a], islands[b])
         # a little into both islands, so that the corridor meets their walls
         (x0, y0), (x1, y1) = line.coords
@@ -327,11 +323,9 @@ def _bridges(islands: list[Polygon]) -> list[LineString]:
 
 def _neighbors(islands: list[Polygon]) -> NDArray[np.intp]:
     """Return the pairs of islands, shape (m, 2), that see each other; O(n log n)."""
-    from scipy.spatial import Delaunay
-
     spacing = 0.5 * float(np.sqrt(min(i.area for i in islands)))
     rings = [shapely.get_coordinates(i.exterior.segmentize(spacing))[:-1] for i in islands]
     owner = np.repeat(np.arange(len(rings)), [len(r) for r in rings])
-    sides = Delaunay(np.vstack(rings)).simplices[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    sides = delaunay_triangles(np.vstack(rings))[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
     pairs = np.sort(owner[sides], axis=1)
     return np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0)

@@ -16,7 +16,6 @@ from functools import partial
 import numpy as np
 import shapely
 import shapely.ops
-from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
 from ..cleared import ClearedMap
@@ -28,6 +27,7 @@ from ..groove import groove_path
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
 from ..model import Floats, PocketRequest, Tick
+from ..nearest import nearest
 from ..ordering import Step, order, runs_of
 from ..polyline import simplified
 from ..spiral import between
@@ -116,18 +116,17 @@ def promising(starts: list[Start], region: Polygon, near: float) -> list[Start]:
     Fronts from elsewhere would need so many more levels, each with its strokes and links, that
     simulating them is not worth the time; unless all walls are within `near` [mm].
     """
-    rings = (region.exterior, *region.interiors)
-    walls = np.vstack([shapely.get_coordinates(r.segmentize(2.0)) for r in rings])
-    far = np.array(
-        [
-            cKDTree(shapely.get_coordinates(s.visited.exterior.segmentize(1.0)))
-            .query(walls)[0]
-            .max()
-            for s in starts
-        ]
-    )
+    if len(starts) == 1:
+        return starts
+    walls = _sampled(region.boundary, 2.0)
+    far = np.array([nearest(_sampled(s.visited.exterior, 1.0), walls)[0].max() for s in starts])
     order = np.argsort(far, kind="stable")
     return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), near)]
+
+
+def _sampled(line: shapely.Geometry, spacing: float) -> Floats:
+    """Return points along lines, at most `spacing` apart [mm]."""
+    return shapely.get_coordinates(shapely.segmentize(shapely.simplify(line, 0.05), spacing))
 
 
 def motion_of(request: PocketRequest) -> Motion:

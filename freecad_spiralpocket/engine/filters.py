@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Filters along a row of values: even out, spread the largest or the smallest.
+
+What scipy.ndimage does, in numpy: loading scipy takes as long as planning a small pocket.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
+
+from .model import Floats
+
+#: The bell curve is cut off at this many of its widths.
+TRUNCATE = 4.0
+
+
+def evened(values: Floats, sigma: float, *, closed: bool = False) -> Floats:
+    """Return values under a Gaussian filter.
+
+    Parameters
+    ----------
+    values : ndarray of shape (n,) or (n, m)
+        Filtered along the first axis.
+    sigma : float
+        Width of the bell curve [samples].
+    closed : bool
+        Whether the last value is followed by the first; else the ends go on as they are.
+    """
+    reach = int(TRUNCATE * sigma + 0.5)
+    if reach == 0:
+        return values.astype(float)
+    bell = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
+    bell /= bell.sum()
+    around = _continued(values, reach, closed)
+    if values.ndim == 1:
+        return np.convolve(around, bell, mode="valid")
+    return np.column_stack([np.convolve(column, bell, mode="valid") for column in around.T])
+
+
+def highest(values: Floats, width: int, *, closed: bool = False) -> Floats:
+    """Return the largest of the `width` (odd) values about each, shape (n,)."""
+    return sliding_window_view(_continued(values, width // 2, closed), width).max(axis=-1)
+
+
+def lowest(values: Floats, width: int, *, closed: bool = False) -> Floats:
+    """Return the smallest of the `width` (odd) values about each, shape (n,)."""
+    return sliding_window_view(_continued(values, width // 2, closed), width).min(axis=-1)
+
+
+def dilated(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return a raster's mask with the four neighbors of each pixel added."""
+    grown = mask.copy()
+    grown[1:] |= mask[:-1]
+    grown[:-1] |= mask[1:]
+    grown[:, 1:] |= mask[:, :-1]
+    grown[:, :-1] |= mask[:, 1:]
+    return grown
+
+
+def _continued(values: Floats, reach: int, closed: bool) -> Floats:
+    """Return values with `reach` more before and after."""
+    count = len(values)
+    index = np.arange(-reach, count + reach)
+    return values[index % count if closed else np.clip(index, 0, count - 1)]

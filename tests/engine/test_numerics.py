@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the engine does itself because scipy loads slowly: the same as scipy does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from scipy.interpolate import BSpline
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import dijkstra, minimum_spanning_tree
+from scipy.spatial import cKDTree
+from shapely import MultiPoint
+
+from freecad_spiralpocket.engine.filters import dilated, evened, highest, lowest
+from freecad_spiralpocket.engine.graphs import delaunay_triangles, shortest_paths, spanning_tree
+from freecad_spiralpocket.engine.nearest import nearest
+from freecad_spiralpocket.engine.routing import clamped_spline
+
+RANDOM = np.random.default_rng(7)
+
+
+@pytest.mark.parametrize("count", [5, 40, 700])
+@pytest.mark.parametrize("sigma", [0.1, 1.7, 9.0])
+@pytest.mark.parametrize(("closed", "mode"), [(True, "wrap"), (False, "nearest")])
+def test_evened_is_a_gaussian_filter(count, sigma, closed, mode):
+    values = RANDOM.normal(size=(count, 2))
+    expected = ndimage.gaussian_filter1d(values, sigma, axis=0, mode=mode)
+    np.testing.assert_allclose(evened(values, sigma, closed=closed), expected, atol=1e-12)
+    np.testing.assert_allclose(evened(values[:, 0], sigma, closed=closed), expected[:, 0])
+
+
+@pytest.mark.parametrize("count", [5, 200])
+@pytest.mark.parametrize("width", [3, 13])
+def test_highest_and_lowest(count, width):
+    values = RANDOM.normal(size=count)
+    for closed, mode in ((True, "wrap"), (False, "nearest")):
+        most = ndimage.maximum_filter1d(values, width, mode=mode)
+        np.testing.assert_array_equal(highest(values, width, closed=closed), most)
+        least = ndimage.minimum_filter1d(values, width, mode=mode)
+        np.testing.assert_array_equal(lowest(values, width, closed=closed), least)
+
+
+def test_dilated_adds_four_neighbors():
+    mask = RANDOM.random((40, 30)) < 0.1
+    np.testing.assert_array_equal(dilated(mask), ndimage.binary_dilation(mask))
+
+
+@pytest.mark.parametrize("points", [1, 2, 300])
+@pytest.mark.parametrize("spread", [0.0, 1.0, 200.0])
+@pytest.mark.parametrize("within", [np.inf, 3.0])
+def test_nearest_point(points, spread, within):
+    turn = np.linspace(0.0, 20.0, points)
+    curve = np.column_stack([30 * np.cos(turn) + turn, 25 * np.sin(turn)])
+    places = curve[RANDOM.integers(0, points, 500)] + spread * RANDOM.normal(size=(500, 2))
+    distances, index = nearest(curve, places, within)
+    expected, _ = cKDTree(curve).query(places, distance_upper_bound=within)
+    near = np.isfinite(expected)
+    np.testing.assert_array_equal(np.isfinite(distances), near)
+    np.testing.assert_allclose(distances[near], expected[near], atol=1e-12)
+    apart = np.hypot(*(curve[index[near]] - places[near]).T)
+    np.testing.assert_allclose(apart, expected[near], atol=1e-12)
+
+
+def network():
+    nodes = RANDOM.random((60, 2))
+    edges = np.unique(np.sort(RANDOM.integers(0, 60, (150, 2)), axis=1), axis=0)
+    edges = edges[edges[:, 0] != edges[:, 1]]
+    return edges, np.hypot(*(nodes[edges[:, 0]] - nodes[edges[:, 1]]).T)
+
+
+def test_shortest_paths():
+    edges, lengths = network()
+    graph = coo_array((lengths, edges.T), shape=(60, 60)).tocsr()
+    distances, before = shortest_paths(edges, lengths, 3)
+    expected = dijkstra(graph, directed=False, indices=3)[: len(distances)]
+    np.testing.assert_allclose(distances, expected)
+    for node in np.flatnonzero(np.isfinite(distances) & (distances > 0)):
+        step = [i for i, edge in enumerate(edges) if set(edge) == {node, before[node]}]
+        assert np.isclose(distances[node], distances[before[node]] + lengths[step[0]])
+
+
+def test_spanning_tree_is_the_shortest():
+    edges, lengths = network()
+    tree = spanning_tree(60, edges, lengths)
+    graph = coo_array((lengths, edges.T), shape=(60, 60)).tocsr()
+    expected = minimum_spanning_tree(graph)
+    of = {tuple(edge): length for edge, length in zip(edges.tolist(), lengths, strict=True)}
+    assert len(tree) == expected.nnz
+    assert np.isclose(sum(of[tuple(edge)] for edge in tree.tolist()), expected.sum())
+
+
+def test_no_point_is_inside_the_circle_of_a_delaunay_triangle():
+    points = RANDOM.random((80, 2))
+    triangles = delaunay_triangles(points)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    for ring in zip(a, b, c, strict=True):
+        matrix = 2 * np.array([ring[1] - ring[0], ring[2] - ring[0]])
+        right = [ring[1] @ ring[1] - ring[0] @ ring[0], ring[2] @ ring[2] - ring[0] @ ring[0]]
+        center = np.linalg.solve(matrix, right)
+        radius = np.hypot(*(ring[0] - center))
+        assert (np.hypot(*(points - center).T) > radius - 1e-9).all()
+    ab, ac = b - a, c - a
+    areas = np.abs(ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0]) / 2
+    assert np.isclose(areas.sum(), MultiPoint(points).convex_hull.area)
+
+
+@pytest.mark.parametrize("count", [2, 3, 4, 9])
+def test_clamped_spline(count):
+    controls = RANDOM.normal(size=(count, 2))
+    degree = min(3, count - 1)
+    inner = np.linspace(0, 1, count - degree + 1)
+    knots = np.concatenate([np.zeros(degree), inner, np.ones(degree)])
+    expected = BSpline(knots, controls, degree)(np.linspace(0, 1, 50))
+    np.testing.assert_allclose(clamped_spline(controls, 50), expected, atol=1e-12)
