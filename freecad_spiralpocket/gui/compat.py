@@ -77,4 +77,6 @@ def forget_widgets(widgets: Iterable[Any]) -> None:
     is_qt6 = QtCore.QObject.__module__.startswith("PySide6")
     shiboken = import_module("shiboken6" if is_qt6 else "shiboken2")
     for widget in widgets:
-        shiboken.invalidate(widget)
+        for named in (*vars(widget).values(), widget):
+            if isinstance(named, QtCore.QObject):
+                shiboken.invalidate(named)

@@ -7,7 +7,8 @@ recomputes within the transaction and, when there is no path, says why and stays
 open; OK once more accepts that. Cancel aborts the transaction, which takes a new
 operation away altogether. An Undo or Redo, or deleting the operation, closes the
 panel without touching the document; FreeCAD's own panels abort a transaction in
-the middle of the Undo then, which crashes it.
+the middle of the Undo then, which crashes it. It closes like that as well when another
+command takes the dialog away (``FreeCADGui.Control.closeDialog()``), which tells nobody.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.view_provider = obj.ViewObject.Proxy
         self.operation_page = page
         self.touched = _touched(obj.Document)
-        self.is_open = False
+        self.is_open = self.has_lost_widgets = False
         super().__init__(obj, is_new, page, selection_factory)
 
     def open(self) -> None:
@@ -43,6 +44,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         super().open()
         self.is_open = True
         FreeCAD.addDocumentObserver(self)
+        self.operation_page.form.destroyed.connect(self._lose_widgets)
 
     def accept(self, resetEdit: bool = True) -> Any:  # noqa: N803
         """Take the values over and close, if there is a path or the user knows there is none."""
@@ -90,8 +92,6 @@ class TaskPanel(PathOpGui.TaskPanel):
         FreeCAD.removeDocumentObserver(self)
         self.operation_page.close()
         super().panelCleanup()
-        widgets = [self.buttonBox, *self.operation_page.tool_editors]
-        QtCore.QTimer.singleShot(0, lambda: forget_widgets(widgets))
 
     def abandon(self) -> None:
         """Close without touching the operation, which may be gone."""
@@ -102,7 +102,8 @@ class TaskPanel(PathOpGui.TaskPanel):
         for page in self.featurePages:
             page.onDirtyChanged(None)
         self.panelCleanup()
-        FreeCADGui.Control.closeDialog()
+        if not self.has_lost_widgets:
+            FreeCADGui.Control.closeDialog()
         self.view_provider.clearTaskPanel()
         FreeCADGui.getDocument(self.document.Name).resetEdit()
         _close_transaction(abort=False)
@@ -113,6 +114,13 @@ class TaskPanel(PathOpGui.TaskPanel):
             QtCore.QTimer.singleShot(0, self.abandon)
 
     slotRedoDocument = slotUndoDocument  # noqa: N815 - the name FreeCAD calls
+
+    def _lose_widgets(self, *_: Any) -> None:
+        """Forget the widgets, which are gone, and close if nobody has told us to."""
+        self.has_lost_widgets = True
+        forget_widgets([self.buttonBox, *self.operation_page.tool_editors])
+        if self.is_open:
+            QtCore.QTimer.singleShot(0, self.abandon)
 
     def _unexpected_errors(self) -> list[SpiralPocketError]:
         """Return what to say when the recompute failed in a way that nobody foresaw."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From a selected face to a path and back, with the user's own buttons."""
 
+import gc
 import zipfile
 from importlib import import_module
 
@@ -194,6 +195,38 @@ def test_closed_panel_leaves_no_name_for_its_buttons(operation):
     assert shiboken.isValid(buttons)
     press(CANCEL)
     assert not shiboken.isValid(buttons)
+
+
+def names_of_what_is_gone():
+    """Return the widgets and layouts that Python still takes for alive, though they are not."""
+    kinds = (QtGui.QWidget, QtGui.QLayout)
+    gc.disable()  # PySide 2 crashes if widgets are collected while it lists them
+    try:
+        widgets = QtGui.QApplication.allWidgets()
+        layouts = [layout for w in widgets for layout in w.findChildren(QtGui.QLayout)]
+        alive = {shiboken.getCppPointer(o)[0] for o in (*widgets, *layouts)}
+        named = [o for o in gc.get_objects() if isinstance(o, kinds) and shiboken.isValid(o)]
+        return {id(o) for o in named if shiboken.getCppPointer(o)[0] not in alive}
+    finally:
+        gc.enable()
+
+
+@pytest.mark.parametrize(
+    "close",
+    [lambda: press(OK), lambda: press(CANCEL), FreeCADGui.Control.closeDialog],
+    ids=["OK", "Cancel", "by others"],
+)
+def test_closed_panel_leaves_no_names_for_what_is_gone(operation, close):
+    """PySide takes new timers and widgets at the same addresses for them, and aborts."""
+    before = names_of_what_is_gone()
+    for _ in range(2):
+        edit(operation)
+        close()
+        wait_for(lambda: not is_panel_open())
+        pump(0.2)
+    assert not names_of_what_is_gone() - before
+    assert operation.ViewObject.Proxy.panel is None
+    assert FreeCAD.getActiveTransaction() is None
 
 
 def test_apply_is_enabled_by_a_change_only(operation):
