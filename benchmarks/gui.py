@@ -207,4 +207,5 @@ def main():
     print(json.dumps({"preview_s": preview, "stop_s": stop, "checks": run, "failed": failed}))
 
 
-main()
+if __name__ == "__main__":
+    main()

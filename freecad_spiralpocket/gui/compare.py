@@ -24,8 +24,9 @@ from .comparepicture import picture_of
 from .lane import Job
 from .outlook import Outlook
 from .previewcolors import OVER_LIMIT, Scale
-from .resulttext import duration, small
+from .resulttext import duration, length, small
 from .tasks import Drawn
+from .themecolors import theme
 
 translate = FreeCAD.Qt.translate
 
@@ -85,6 +86,8 @@ class Comparison:
         self.dialog.setWindowTitle(translate("SpiralPocket", "Compare strategies"))
         self.pocket = QtGui.QComboBox()
         self.pocket.currentIndexChanged.connect(lambda *_: self._begin())
+        self.heading = QtGui.QLabel()
+        self.heading.setWordWrap(True)
         self._grid = QtGui.QGridLayout()
         scroll, inside = QtGui.QScrollArea(), QtGui.QWidget()
         inside.setLayout(self._grid)
@@ -94,12 +97,12 @@ class Comparison:
         buttons = QtGui.QDialogButtonBox(QtGui.QDialogButtonBox.Close)
         buttons.rejected.connect(self.dialog.reject)
         layout = QtGui.QVBoxLayout(self.dialog)
-        for widget in (self.pocket, scroll, buttons):
+        for widget in (self.pocket, self.heading, scroll, buttons):
             layout.addWidget(widget)
         self.dialog.finished.connect(lambda *_: self._end())
         columns = min(COLUMNS, len(Strategy) + 1)
         rows = -(-(len(Strategy) + 1) // columns)
-        self.dialog.resize(60 + columns * (PICTURE.width() + 30), min(860, 80 + 372 * rows))
+        self.dialog.resize(60 + columns * (PICTURE.width() + 30), min(860, 110 + 350 * rows))
 
     def show(self, requests: list[PocketRequest]) -> None:
         """Compare on one of these pockets, at first the largest; begin anew if it is another."""
@@ -131,6 +134,13 @@ class Comparison:
         if not 0 <= index < len(self._requests):
             return
         request = self._requests[index]
+        self.heading.setText(
+            translate(
+                "SpiralPocket",
+                "With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; "
+                "what clearly passes it is red. ★ the fastest that keeps it.",
+            ).format(request.machine.name, np.degrees(request.engagement_limit))
+        )
         for at in range(self._strategies.count()):
             strategy = Strategy(self._strategies.itemData(at))
             self._add(
@@ -189,20 +199,20 @@ class Card:
         self.picture.setFixedSize(PICTURE)
         self.picture.setAlignment(QtCore.Qt.AlignCenter)
         self.text.setWordWrap(True)
-        self.text.setFixedWidth(PICTURE.width())
+        self.text.setMinimumWidth(PICTURE.width())
         self.text.setAlignment(QtCore.Qt.AlignTop)
         self.button = QtGui.QPushButton(translate("SpiralPocket", "Use this"))
         self.button.setEnabled(False)
         self._choose = choose
-        if choose is None:
-            self.button.setText(translate("SpiralPocket", "For comparison"))
-        else:
+        if choose is not None:
             self.button.clicked.connect(lambda *_: choose())
         layout = QtGui.QVBoxLayout(self.frame)
-        for widget in (self._title, self.picture, self.text):
-            layout.addWidget(widget)
+        layout.addWidget(self._title)
+        layout.addWidget(self.picture, 0, QtCore.Qt.AlignHCenter)
+        layout.addWidget(self.text)
         layout.addStretch()
         layout.addWidget(self.button)
+        self.button.setVisible(choose is not None)
         self.emphasize(False)
 
     def begin(self) -> None:
@@ -250,8 +260,7 @@ class Card:
             return
         limit = float(np.degrees(outcome.plan.request.engagement_limit))
         scale = Scale("engagement", min(180.0, OVER_LIMIT * limit), limit)
-        palette = self.frame.palette()
-        self.picture.setPixmap(picture_of(outcome, scale, PICTURE, palette))
+        self.picture.setPixmap(picture_of(outcome, scale, PICTURE, theme()))
         self.text.setText(_figures(outcome))
         report = outcome.plan.report
         self.seconds = report.time
@@ -266,10 +275,9 @@ def _figures(drawn: Drawn) -> str:
     limit = report.engagement_limit
     rows = [
         (translate("SpiralPocket", "Time"), f"<b>{_seconds(report.time)}</b>"),
-        (translate("SpiralPocket", "Cutting length"), f"{report.cut_length / 1000:.2f} m"),
+        (translate("SpiralPocket", "Cutting length"), length(report.cut_length)),
         (translate("SpiralPocket", "Largest engagement"), _angle(report.engagement_max, limit)),
         (translate("SpiralPocket", "99 % of it below"), _angle(report.engagement_p99, limit)),
-        (translate("SpiralPocket", "Limit"), f"{np.degrees(limit):.0f}°"),
         (
             translate("SpiralPocket", "Mean engagement"),
             f"{np.degrees(report.engagement_mean):.0f}°",

@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from ..engine.toolpath import Role
 from . import previewcolors as colors
 from .tasks import Drawn
+from .themecolors import Theme
 
 #: Colors of the scale that are told apart, and margin around the pocket in pixels.
 SHADES, MARGIN = 24, 6
@@ -18,7 +19,7 @@ SHADES, MARGIN = 24, 6
 _LEVEL = 1e-3  # mm
 
 
-def picture_of(drawn: Drawn, scale: colors.Scale, size: Any, palette: Any) -> QtGui.QPixmap:
+def picture_of(drawn: Drawn, scale: colors.Scale, size: Any, worn: Theme) -> QtGui.QPixmap:
     """Return the deepest level of a plan as a picture.
 
     Parameters
@@ -27,11 +28,11 @@ def picture_of(drawn: Drawn, scale: colors.Scale, size: Any, palette: Any) -> Qt
     scale : Scale
     size : QSize
         In pixels.
-    palette : QPalette
+    worn : Theme
         Of the window that it is shown in.
     """
     picture = QtGui.QPixmap(size)
-    picture.fill(palette.color(QtGui.QPalette.Base))
+    picture.fill(worn.background)
     walls = np.concatenate(drawn.areas.walls)
     low, high = walls.min(axis=0), walls.max(axis=0)
     room = np.array([size.width(), size.height()]) - 2 * MARGIN
@@ -51,7 +52,7 @@ def picture_of(drawn: Drawn, scale: colors.Scale, size: Any, palette: Any) -> Qt
             painter.drawPolygon(_polygon(ring))
     painter.setBrush(QtCore.Qt.NoBrush)
     _draw_path(painter, drawn, scale)
-    painter.setPen(_pen(palette.color(QtGui.QPalette.Text), 1.5))
+    painter.setPen(_pen(worn.text, 1.5))
     for wall in drawn.areas.walls:
         painter.drawPolygon(_polygon(wall))
     painter.end()

@@ -34,13 +34,20 @@ __all__ = [
     "PathUtils",
     "check_box_signal",
     "forget_widgets",
+    "freecad_icon",
     "has_tool_controller_editor",
     "run_dialog",
     "show_value",
 ]
 
+
+def freecad_icon(name: str) -> str:
+    """Return the file name of one of CAM's own icons."""
+    return f":/icons/{'Path' if IS_LEGACY else 'CAM'}_{name}.svg"
+
+
 #: FreeCAD's icon for an operation that is switched off.
-INACTIVE_ICON = ":/icons/Path_OpActive.svg" if IS_LEGACY else ":/icons/CAM_OpActive.svg"
+INACTIVE_ICON = freecad_icon("OpActive")
 
 #: What making an operation raises when the job has no tool controller, or none was chosen.
 NO_TOOL_CONTROLLER_ERRORS = (PathUtils.PathNoTCExistsException, PathOp.PathNoTCException)
@@ -73,6 +80,7 @@ def forget_widgets(widgets: Iterable[Any]) -> None:
 
     FreeCAD never gives up the Python objects of a panel's buttons and of 1.1's tool controller
     editor. PySide would take new widgets at the same addresses for them: calls fail or crash.
+    The layouts and widgets of a form are attributes of it; layouts are not forgotten with it.
     """
     is_qt6 = QtCore.QObject.__module__.startswith("PySide6")
     shiboken = import_module("shiboken6" if is_qt6 else "shiboken2")

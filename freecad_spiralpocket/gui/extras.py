@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What stands below the fields of the panel: live preview, result, buttons.
+"""What stands below the pages of the panel: live preview, result, buttons.
 
-The page makes one of each factory in `FACTORIES` when a panel opens, puts its
-widget below the fields, tells it of changes, and closes it with the panel. The
+The page makes one of each factory in `FACTORIES` when a panel opens, hands its
+widget to the panel, tells it of changes, and closes it with the panel. The
 page knows nothing more of them, they know the page (`page.obj`, `page.form`).
 """
 
@@ -22,7 +22,7 @@ class Extra(Protocol):
     """What the page asks of an extra."""
 
     def widget(self) -> Any:
-        """Return the widget to show, None for nothing; called once."""
+        """Return the widget to show, with its title, None for nothing; called once."""
 
     def changed(self) -> None:
         """Note that an input of the operation was changed, by a field or elsewhere.

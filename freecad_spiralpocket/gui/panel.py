@@ -54,6 +54,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
 
     fields: Sequence[Field] = ()
     extras: Sequence[Extra] = ()
+    boxes: Sequence[Any] = ()  # of the extras, to be shown below the pages
     tool_editors: Sequence[Any] = ()
     is_writing = False
     was_changed = False  # while writing
@@ -78,10 +79,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
         ]
         self.form.advanced.setChecked(is_advanced(obj))
         self.extras = [make(self) for make in FACTORIES]
-        for extra in self.extras:
-            widget = extra.widget()
-            if widget is not None:
-                self.form.extrasLayout.addWidget(widget)
+        self.boxes = [box for box in [extra.widget() for extra in self.extras] if box is not None]
 
     def setupToolController(self, *obj_and_combo: Any) -> None:  # noqa: N802
         """Fill the list of tool controllers; 1.1 makes an editor for the chosen one each time."""

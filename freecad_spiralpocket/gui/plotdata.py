@@ -11,6 +11,7 @@ import numpy as np
 
 from ..engine.force import MATERIALS, Cutter, cutting_forces
 from ..engine.model import CutMode, Floats
+from ..engine.toolpath import Role
 from .tasks import Drawn
 
 #: The material that forces are told for, until the part has one of its own.
@@ -27,13 +28,13 @@ class Curves:
     clock : ndarray of shape (n,)
         [s]
     engagement : ndarray of shape (n,)
-        [deg]
+        [deg]; nan on links and rapids, so that a curve rests while nothing is to be cut.
     limit : float
         [deg]
     feed, velocity : ndarray of shape (n,)
         Programmed, and of the machine [mm/min]; rapids are left out of the feed (nan).
     force : ndarray of shape (n,) or None
-        Mean over a revolution [N]; None without a spindle speed.
+        Mean over a revolution [N], nan as `engagement`; None without a spindle speed.
     """
 
     clock: Floats
@@ -56,7 +57,9 @@ def curves_of(pockets: Sequence[Drawn], tool_controller: Any) -> Curves:
         ends = np.maximum(np.arange(len(trace.clock)) - 1, 0)
         angles = trace.angles[ends]
         feeds = np.where(trace.roles[ends] == 0, np.nan, trace.feeds[ends])
-        parts.append((begin + trace.clock, np.degrees(angles), feeds * 60, trace.speeds * 60))
+        rests = np.isin(trace.roles[ends], (Role.AIR, Role.LINK)) & (angles <= 0)
+        told = np.where(rests, np.nan, np.degrees(angles))
+        parts.append((begin + trace.clock, told, feeds * 60, trace.speeds * 60))
         if spindle_speed > 0:
             cut = cutting_forces(
                 angles,
@@ -67,7 +70,7 @@ def curves_of(pockets: Sequence[Drawn], tool_controller: Any) -> Curves:
                 spindle_speed,
                 climb=request.cutting.cut_mode is CutMode.CLIMB,
             )
-            forces.append(np.where(angles > 0, cut.mean, 0.0))
+            forces.append(np.where(rests, np.nan, np.where(angles > 0, cut.mean, 0.0)))
         begin += float(trace.clock[-1])
     clock, engagement, feed, velocity = (np.concatenate(c) for c in zip(*parts, strict=True))
     limit = float(np.degrees(max(d.plan.request.engagement_limit for d in pockets)))

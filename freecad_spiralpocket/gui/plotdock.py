@@ -18,6 +18,7 @@ from PySide import QtCore, QtGui
 
 from ..engine.errors import SetupError
 from .plotdata import MATERIAL, Curves
+from .themecolors import theme
 
 translate = FreeCAD.Qt.translate
 
@@ -71,10 +72,8 @@ class PlotDock:
         """Draw curves, or nothing."""
         self._curves = curves
         self._figure.clear()
-        text, background = (
-            self.dock.palette().color(role).name()
-            for role in (QtGui.QPalette.WindowText, QtGui.QPalette.Window)
-        )
+        worn = theme()
+        text, background = worn.text.name(), worn.background.name()
         self._figure.set_facecolor(background)
         self._lines: list[Any] = []
         self._note: Any = None
@@ -106,19 +105,20 @@ class PlotDock:
 
     def _plot(self, curves: Curves, text: str, background: str) -> None:
         rows = [
-            (translate("SpiralPocket", "engagement [°]"), curves.engagement),
-            (translate("SpiralPocket", "feed [mm/min]"), curves.feed),
-            (translate("SpiralPocket", "velocity [mm/min]"), curves.velocity),
+            (translate("SpiralPocket", "Engagement [°]"), curves.engagement),
+            (translate("SpiralPocket", "Programmed feed [mm/min]"), curves.feed),
+            (translate("SpiralPocket", "The machine's velocity [mm/min]"), curves.velocity),
         ]
         if curves.force is not None:
-            rows.append((translate("SpiralPocket", "force [N]"), curves.force))
+            force = translate("SpiralPocket", "Mean cutting force in {} [N]")
+            rows.append((force.format(MATERIAL), curves.force))
         all_axes = self._figure.subplots(2, 2, sharex=True).ravel(order="F")
         for unused in all_axes[len(rows) :]:
             unused.set_axis_off()
         for axes, (label, values) in zip(all_axes, rows, strict=False):
             axes.plot(curves.clock, values, color=LINE, lw=0.8)
             axes.set_facecolor(background)
-            axes.set_ylabel(label, color=text, fontsize="small")
+            axes.set_title(label, color=text, fontsize="small", loc="left", pad=3)
             axes.tick_params(colors=text, labelsize="small")
             axes.grid(color=text, alpha=0.15)
             axes.set_ylim(0, None)
@@ -127,18 +127,22 @@ class PlotDock:
                 side.set_alpha(0.4)
             self._lines.append(axes.axvline(0, color=SECOND, lw=1, animated=True))
         all_axes[0].axhline(curves.limit, color=LIMIT, lw=1, ls="--")
-        all_axes[0].set_ylim(0, 185)
+        top = max(float(np.nanmax(curves.engagement, initial=0.0)), curves.limit)
+        all_axes[0].set_ylim(0, min(185.0, 1.15 * top))
         all_axes[0].set_xlim(0, float(curves.clock[-1]))
-        name = translate("SpiralPocket", "time [s]")
-        if curves.force is not None:
-            name += translate("SpiralPocket", "; force in {}").format(MATERIAL)
-        else:
-            name += translate("SpiralPocket", "; the tool controller has no spindle speed")
-        all_axes[1].set_xlabel(name, color=text, fontsize="small")
+        for axes in all_axes[1 : len(rows) : 2]:
+            axes.set_xlabel(translate("SpiralPocket", "Time [s]"), color=text, fontsize="small")
+        if curves.force is None:
+            all_axes[2].tick_params(labelbottom=True)
+            all_axes[3].text(
+                0.0, 0.9, translate("SpiralPocket", "No force: no spindle speed in the tool "
+                "controller"), transform=all_axes[3].transAxes, color=text, va="top",
+                fontsize="small",
+            )  # fmt: skip
         self._note = all_axes[0].text(
-            0.995, 0.93, "", transform=all_axes[0].transAxes, color=text, animated=True,
-            ha="right", va="top", fontsize="small",
-            bbox={"facecolor": background, "edgecolor": "none", "alpha": 0.85},
+            1.0, 1.04, "", transform=all_axes[0].transAxes, color=text, animated=True,
+            ha="right", va="bottom", fontsize="small",
+            bbox={"facecolor": background, "edgecolor": "none", "pad": 1.0},
         )  # fmt: skip
 
     def _values_at(self, seconds: float) -> str:
@@ -146,10 +150,10 @@ class PlotDock:
         curves = self._curves
         assert curves is not None
         at = min(int(np.searchsorted(curves.clock, seconds)), len(curves.clock) - 1)
-        texts = [f"{seconds:.1f} s", f"{curves.engagement[at]:.0f}°"]
+        texts = [f"{seconds:.1f} s", f"{np.nan_to_num(curves.engagement[at]):.0f}°"]
         texts.append(f"{curves.velocity[at]:.0f} mm/min")
         if curves.force is not None:
-            texts.append(f"{curves.force[at]:.0f} N")
+            texts.append(f"{np.nan_to_num(curves.force[at]):.0f} N")
         return "   ".join(texts)
 
     def _drawn(self, event: Any) -> None:

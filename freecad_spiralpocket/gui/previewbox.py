@@ -8,8 +8,8 @@ from collections.abc import Callable
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from .compat import check_box_signal
-from .previewlegend import ColorBar, swatches
+from .compat import check_box_signal, freecad_icon
+from .previewlegend import ColorBar, Swatches
 from .resulttext import duration
 
 translate = FreeCAD.Qt.translate
@@ -19,7 +19,7 @@ FRAME = 40  # ms
 PLAY_TIME = 12.0  # s, how long the whole cut plays
 
 
-class PreviewBox(QtGui.QGroupBox):
+class PreviewBox(QtGui.QWidget):
     """The widgets; what they do is told to the callbacks.
 
     Parameters
@@ -38,7 +38,9 @@ class PreviewBox(QtGui.QGroupBox):
         colored: Callable[[str], None],
         moved: Callable[[float], None],
     ) -> None:
-        super().__init__(translate("SpiralPocket", "Preview"))
+        super().__init__()
+        self.setWindowTitle(translate("SpiralPocket", "Preview"))
+        self.setWindowIcon(QtGui.QIcon(freecad_icon("Simulator")))
         self.setObjectName("SpiralPocketPreviewBox")
         self._total = 0.0
         self.live = QtGui.QCheckBox(translate("SpiralPocket", "Live"))
@@ -94,7 +96,7 @@ class PreviewBox(QtGui.QGroupBox):
             player.addWidget(widget)
         layout.addLayout(top)
         layout.addWidget(self.bar)
-        layout.addWidget(swatches())
+        layout.addWidget(Swatches())
         layout.addLayout(player)
         layout.addWidget(self.status)
 

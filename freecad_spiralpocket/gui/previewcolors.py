@@ -21,29 +21,29 @@ if TYPE_CHECKING:
     from ..trace import Trace
 
 #: Colors of the scale at equal distances, red, green, blue in [0, 1]: matplotlib's turbo, without
-#: its dark ends.
+#: its dark ends and with its bright middle darker, as yellow is not seen on a light part.
 SCALE = np.array(
     [
         (0.27, 0.35, 0.86),
         (0.16, 0.60, 0.98),
-        (0.10, 0.82, 0.74),
-        (0.38, 0.95, 0.38),
-        (0.76, 0.94, 0.20),
-        (0.98, 0.73, 0.22),
+        (0.08, 0.74, 0.70),
+        (0.22, 0.78, 0.25),
+        (0.62, 0.74, 0.05),
+        (0.93, 0.62, 0.08),
         (0.96, 0.42, 0.10),
         (0.80, 0.13, 0.03),
     ]
 )
 ENTRY, LINK, AIR, DRAFT = (
     (0.93, 0.16, 0.66),
-    (0.5, 0.58, 0.68),
+    (0.56, 0.46, 0.8),
     (0.62, 0.62, 0.62),
     (0.36, 0.6, 0.9),
 )
 CLEARED, LEFT, ISLAND, CUTTER = (
-    (0.25, 0.75, 0.45),
+    (0.52, 0.62, 0.75),
     (0.92, 0.2, 0.16),
-    (0.45, 0.47, 0.75),
+    (0.68, 0.5, 0.32),
     (0.95, 0.75, 0.2),
 )
 

@@ -15,7 +15,15 @@ translate = FreeCAD.Qt.translate
 
 #: Heights in the font's own: of the bar, and of everything.
 BAR, ALL = 0.7, 2.4
-TICKS = 4  # stretches of the bar
+#: Steps between the values at the bar, at most so many.
+STEPS, MOST = (5, 10, 15, 20, 30, 45, 50, 100, 200, 250, 500, 1000, 2000, 2500, 5000, 10000), 5
+COLUMNS = 3  # of swatches
+
+
+def ticks(top: float) -> list[int]:
+    """Return round values from 0 to at most `top`."""
+    step = next((s for s in STEPS if top / s <= MOST), STEPS[-1])
+    return list(range(0, int(top) + 1, step))
 
 
 class ColorBar(QtGui.QWidget):
@@ -29,51 +37,82 @@ class ColorBar(QtGui.QWidget):
     def set_scale(self, scale: colors.Scale) -> None:
         """Show another scale."""
         self._scale = scale
-        unit = "°" if scale.quantity == "engagement" else translate("SpiralPocket", "mm/min")
-        self.setToolTip(f"0 - {scale.top:.0f} {unit}")
+        tip = f"0 - {scale.top:.0f} {self._unit or translate('SpiralPocket', 'mm/min')}"
+        if scale.mark is not None:
+            limit = translate("SpiralPocket", "The mark is the limit at the step-over: {:.0f}°")
+            tip += "\n" + limit.format(scale.mark)
+        self.setToolTip(tip)
         self.update()
 
     def paintEvent(self, event: Any) -> None:  # noqa: N802 - the name Qt calls
         """Draw bar, values and mark."""
         painter = QtGui.QPainter(self)
-        metrics = self.fontMetrics()
+        metrics, scale = self.fontMetrics(), self._scale
+        text_color = self.palette().color(QtGui.QPalette.WindowText)
         left, right = metrics.height() // 2, self.width() - metrics.height()
         bar = QtCore.QRect(left, 2, right - left, int(BAR * metrics.height()))
         gradient = QtGui.QLinearGradient(left, 0, right, 0)
         for share, color in zip(np.linspace(0, 1, len(colors.SCALE)), colors.SCALE, strict=True):
             gradient.setColorAt(float(share), QtGui.QColor.fromRgbF(*(float(c) for c in color)))
         painter.fillRect(bar, QtGui.QBrush(gradient))
-        painter.setPen(self.palette().color(QtGui.QPalette.WindowText))
+        painter.setPen(text_color)
         painter.drawRect(bar)
-        base = bar.bottom() + metrics.ascent() + 3
-        unit = "°" if self._scale.quantity == "engagement" else ""
-        for i in range(TICKS + 1):
-            text = f"{self._scale.top * i / TICKS:.0f}{unit}"
-            x = left + bar.width() * i // TICKS - metrics.boundingRect(text).width() // 2
-            x = max(0, min(x, self.width() - metrics.boundingRect(text).width() - 2))
-            painter.drawText(x, base, text)
-        if self._scale.mark is not None:
-            x = left + int(bar.width() * min(1.0, self._scale.mark / self._scale.top))
-            painter.setPen(QtGui.QPen(self.palette().color(QtGui.QPalette.WindowText), 2))
-            painter.drawLine(x, bar.top() - 2, x, bar.bottom() + 3)
+        base = bar.bottom() + metrics.ascent() + 5
+        for value in ticks(scale.top):
+            x = left + int(bar.width() * value / scale.top)
+            painter.drawLine(x, bar.bottom(), x, bar.bottom() + 3)
+            text = f"{value}{self._unit}"
+            width = metrics.boundingRect(text).width()
+            painter.drawText(max(0, min(x - width // 2, self.width() - width - 2)), base, text)
+        if scale.mark is not None:
+            x = left + int(bar.width() * min(1.0, scale.mark / scale.top))
+            painter.fillRect(x - 2, bar.top() - 2, 5, bar.height() + 4, text_color)
+            painter.fillRect(
+                x - 1, bar.top() - 2, 3, bar.height() + 4, self.palette().color(QtGui.QPalette.Base)
+            )
         painter.end()
 
-
-def swatches() -> QtGui.QLabel:
-    """Return a label that names the colors of what is not cut."""
-    entries = (
-        (colors.ENTRY, translate("SpiralPocket", "entry")),
-        (colors.LINK, translate("SpiralPocket", "link")),
-        (colors.AIR, translate("SpiralPocket", "rapid")),
-        (colors.CLEARED, translate("SpiralPocket", "cleared")),
-        (colors.LEFT, translate("SpiralPocket", "left over")),
-        (colors.ISLAND, translate("SpiralPocket", "island")),
-    )
-    words = [f'<span style="color:{_html(color)}">■</span>&nbsp;{text}' for color, text in entries]
-    label = QtGui.QLabel(" &nbsp;".join(words))
-    label.setWordWrap(True)
-    return label
+    @property
+    def _unit(self) -> str:
+        return "°" if self._scale.quantity == "engagement" else ""
 
 
-def _html(color: tuple[float, float, float]) -> str:
-    return "#" + "".join(f"{round(255 * c):02x}" for c in color)
+class Swatches(QtGui.QWidget):
+    """Names the colors of what is not cut: lines as they are drawn, areas as squares."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._entries = (
+            ("line", colors.ENTRY, translate("SpiralPocket", "entry")),
+            ("line", colors.LINK, translate("SpiralPocket", "link")),
+            ("dashes", colors.AIR, translate("SpiralPocket", "rapid")),
+            ("area", colors.CLEARED, translate("SpiralPocket", "cleared")),
+            ("area", colors.LEFT, translate("SpiralPocket", "left over")),
+            ("area", colors.ISLAND, translate("SpiralPocket", "island")),
+        )
+        rows = -(-len(self._entries) // COLUMNS)
+        self.setMinimumHeight(int(rows * self._row))
+
+    @property
+    def _row(self) -> float:
+        return 1.25 * self.fontMetrics().height()
+
+    def paintEvent(self, event: Any) -> None:  # noqa: N802 - the name Qt calls
+        """Draw all, in columns."""
+        painter = QtGui.QPainter(self)
+        metrics = self.fontMetrics()
+        side, left = metrics.ascent(), metrics.height() // 2
+        column = (self.width() - left) // COLUMNS
+        for i, (kind, rgb, text) in enumerate(self._entries):
+            x, y = left + i % COLUMNS * column, int(i // COLUMNS * self._row)
+            color = QtGui.QColor.fromRgbF(*rgb)
+            if kind == "area":
+                painter.fillRect(x + (2 * side - side) // 2, y + 1, side, side, color)
+            else:
+                dashes = QtCore.Qt.DashLine if kind == "dashes" else QtCore.Qt.SolidLine
+                painter.setPen(QtGui.QPen(color, 3, dashes, QtCore.Qt.FlatCap))
+                middle = y + 1 + side // 2
+                painter.drawLine(x, middle, x + 2 * side, middle)
+            painter.setPen(self.palette().color(QtGui.QPalette.WindowText))
+            painter.drawText(x + 2 * side + side // 2, y + metrics.ascent(), text)
+        painter.end()

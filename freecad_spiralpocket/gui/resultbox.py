@@ -12,6 +12,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from .compat import freecad_icon
 from .localized import localized
 from .outlook import Outlook
 from .resultfigures import Place, Remark, figures_of, is_applied, remarks_of
@@ -30,7 +31,9 @@ class ResultBox:
         self._page, self._obj = page, page.obj
         self._outlook = Outlook.of(page)
         self._remarks: list[Remark] = []
-        self.box = QtGui.QGroupBox(translate("SpiralPocket", "Result"))
+        self.box = QtGui.QWidget()
+        self.box.setWindowTitle(translate("SpiralPocket", "Result"))
+        self.box.setWindowIcon(QtGui.QIcon(freecad_icon("Inspect")))
         self.box.setObjectName("SpiralPocketResultBox")
         self._state = QtGui.QLabel()
         self._state.setWordWrap(True)
@@ -45,8 +48,12 @@ class ResultBox:
         layout = QtGui.QVBoxLayout(self.box)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addWidget(self._state)
-        layout.addLayout(self.figures)
-        layout.addWidget(self.list)
+        self.body = QtGui.QWidget()
+        body = QtGui.QVBoxLayout(self.body)
+        body.setContentsMargins(0, 0, 0, 0)
+        body.addLayout(self.figures)
+        body.addWidget(self.list)
+        layout.addWidget(self.body)
         layout.addLayout(self.buttons)
         self._shown: Any = None
         self._outlook.listeners.append(self._update)
@@ -58,7 +65,7 @@ class ResultBox:
 
     def changed(self) -> None:
         """Wait for the outlook; what stands here is out of date."""
-        self.box.setEnabled(False)
+        self.body.setEnabled(False)
 
     def computed(self) -> None:
         """Say whether the path was made."""
@@ -77,17 +84,24 @@ class ResultBox:
         return {a.widget().text(): b.widget().text() for a, b in cells if a and b}
 
     def _update(self) -> None:
-        """Show what is known by now, if it is something else."""
+        """Show what is known by now, if it is something else.
+
+        Until there is something new, what stands there stays, in grey: the panel must not jump
+        while a value is typed.
+        """
         plans = self._outlook.plans
         applied = is_applied(self._obj, plans)
         remarks = remarks_of(self._obj, self._outlook)
         state = self._state_of(bool(plans), applied, bool(remarks))
         shown = ([id(p) for p in plans], state, remarks)
-        self.box.setEnabled(True)
+        is_known = bool(plans) or self._outlook.is_settled
+        self.body.setEnabled(is_known)
         if shown == self._shown:
             return
         self._shown = shown
         self._state.setText(state)
+        if not is_known and not remarks:
+            return
         self._show_figures(figures_of(self._obj, plans) if plans else [])
         self._show_remarks(remarks)
 

@@ -14,7 +14,7 @@ import Path
 from ..engine.errors import SpiralPocketError
 from ..engine.model import Notice, Plan
 from ..op import commands, request, results
-from .resulttext import duration, small
+from .resulttext import duration, length, small
 
 if TYPE_CHECKING:
     from .outlook import Outlook
@@ -39,7 +39,6 @@ def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
     mean = np.average([r.engagement_mean for r in reports], weights=np.maximum(lengths, 1e-9))
     timed = request.has_feeds(obj.ToolController)
     machine = request.machine(obj.Machine).name
-    length = FreeCAD.Units.Quantity(float(lengths.sum()), FreeCAD.Units.Length).UserString
     return [
         (
             translate("SpiralPocket", "Time on {}").format(machine),
@@ -49,7 +48,7 @@ def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
             translate("SpiralPocket", "FreeCAD's estimate"),
             duration(naive_time(obj.ToolController, plans) if timed else 0.0),
         ),
-        (translate("SpiralPocket", "Cutting length"), length),
+        (translate("SpiralPocket", "Cutting length"), length(float(lengths.sum()))),
         (
             translate("SpiralPocket", "Largest engagement"),
             translate("SpiralPocket", "{:.0f}°, limit {:.0f}°").format(

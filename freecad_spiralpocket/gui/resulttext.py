@@ -13,10 +13,16 @@ def small(value: float, power: int = 1) -> str:
 
     FreeCAD's own text would turn a gouge of nothing but rounding into nanometers.
     """
-    _, factor, unit = FreeCAD.Units.Quantity(10.0, FreeCAD.Units.Length).getUserPreferred()
+    factor, unit = _user_unit()
     digits = 3 if factor < 20 else 4
-    unit = "in" if unit == '"' else unit
     return f"{value / factor**power:.{digits}f} {unit}{'²' if power == 2 else ''}"
+
+
+def length(value: float) -> str:
+    """Return a length [mm] in the user's unit, a long one in meters where that is metric."""
+    if value < 1000 or not _user_unit()[1].endswith("m"):
+        return str(FreeCAD.Units.Quantity(value, FreeCAD.Units.Length).UserString)
+    return f"{value / 1000:.2f} m"
 
 
 def duration(seconds: float) -> str:
@@ -29,3 +35,9 @@ def duration(seconds: float) -> str:
     if whole >= 60:
         return f"{whole // 60} min {whole % 60:02d} s"
     return f"{whole} s"
+
+
+def _user_unit() -> tuple[float, str]:
+    """Return the unit that the user has for a part's size, and how many mm it is."""
+    _, factor, unit = FreeCAD.Units.Quantity(10.0, FreeCAD.Units.Length).getUserPreferred()
+    return float(factor), "in" if unit == '"' else unit

@@ -38,6 +38,9 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.touched = _touched(obj.Document)
         self.is_open = self.has_lost_widgets = False
         super().__init__(obj, is_new, page, selection_factory)
+        # boxes of their own, so that they stay in sight whatever is scrolled in the pages
+        pages = self.form if isinstance(self.form, list) else [self.form]
+        self.form = [*pages, *page.boxes]
 
     def open(self) -> None:
         """Watch the selection and the document."""

@@ -176,20 +176,12 @@
         <translation>99 % davon unter</translation>
     </message>
     <message>
-        <source>Limit</source>
-        <translation>Grenze</translation>
-    </message>
-    <message>
         <source>Mean engagement</source>
         <translation>Mittlerer Eingriff</translation>
     </message>
     <message>
         <source>Left uncut</source>
         <translation>Stehen geblieben</translation>
-    </message>
-    <message>
-        <source>For comparison</source>
-        <translation>Zum Vergleich</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -206,6 +198,10 @@
     <message>
         <source>No path</source>
         <translation>Kein Pfad</translation>
+    </message>
+    <message>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
+        <translation>Mit demselben Fräser, gleicher seitlicher Zustellung und gleichen Vorschüben auf {}. Grenze des Eingriffs {:.0f}°; was sie deutlich überschreitet, ist rot. ★ die schnellste, die sie einhält.</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -228,28 +224,32 @@
         <translation>Spiraltasche</translation>
     </message>
     <message>
-        <source>time [s]</source>
-        <translation>Zeit [s]</translation>
-    </message>
-    <message>
         <source>Spiral Pocket plots</source>
         <translation>Diagramme der Spiraltasche</translation>
     </message>
     <message>
-        <source>; the tool controller has no spindle speed</source>
-        <translation>; die Werkzeugsteuerung hat keine Spindeldrehzahl</translation>
+        <source>Mean cutting force in {} [N]</source>
+        <translation>Mittlere Schnittkraft in {} [N]</translation>
     </message>
     <message>
-        <source>engagement [°]</source>
+        <source>Engagement [°]</source>
         <translation>Eingriff [°]</translation>
     </message>
     <message>
-        <source>feed [mm/min]</source>
-        <translation>Vorschub [mm/min]</translation>
+        <source>Programmed feed [mm/min]</source>
+        <translation>Programmierter Vorschub [mm/min]</translation>
     </message>
     <message>
-        <source>velocity [mm/min]</source>
-        <translation>Geschwindigkeit [mm/min]</translation>
+        <source>The machine's velocity [mm/min]</source>
+        <translation>Geschwindigkeit der Maschine [mm/min]</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>No force: no spindle speed in the tool controller</source>
+        <translation>Keine Kraft: keine Spindeldrehzahl in der Werkzeugsteuerung</translation>
     </message>
     <message>
         <source>Plots need the Python library matplotlib.</source>
@@ -258,14 +258,6 @@
     <message>
         <source>Install it with the Addon Manager or pip.</source>
         <translation>Mit dem Addon-Manager oder pip installieren.</translation>
-    </message>
-    <message>
-        <source>force [N]</source>
-        <translation>Kraft [N]</translation>
-    </message>
-    <message>
-        <source>; force in {}</source>
-        <translation>; Kraft in {}</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -304,10 +296,6 @@
         <translation>Den Pfad bei jeder Änderung neu zeichnen</translation>
     </message>
     <message>
-        <source>Engagement [°]</source>
-        <translation>Eingriff [°]</translation>
-    </message>
-    <message>
         <source>Feed [mm/min]</source>
         <translation>Vorschub [mm/min]</translation>
     </message>
@@ -328,8 +316,8 @@
         <translation>Färben nach</translation>
     </message>
     <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
+        <source>The mark is the limit at the step-over: {:.0f}°</source>
+        <translation>Die Marke ist die Grenze bei dieser seitlichen Zustellung: {:.0f}°</translation>
     </message>
     <message>
         <source>entry</source>
@@ -354,6 +342,10 @@
     <message>
         <source>island</source>
         <translation>Insel</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
     </message>
     <message>
         <source>Stop</source>

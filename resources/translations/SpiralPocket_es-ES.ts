@@ -176,20 +176,12 @@
         <translation>El 99 % por debajo de</translation>
     </message>
     <message>
-        <source>Limit</source>
-        <translation>Límite</translation>
-    </message>
-    <message>
         <source>Mean engagement</source>
         <translation>Contacto medio</translation>
     </message>
     <message>
         <source>Left uncut</source>
         <translation>Sin cortar</translation>
-    </message>
-    <message>
-        <source>For comparison</source>
-        <translation>Para comparar</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -206,6 +198,10 @@
     <message>
         <source>No path</source>
         <translation>Sin trayectoria</translation>
+    </message>
+    <message>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
+        <translation>Con la misma fresa, el mismo paso y los mismos avances en {}. Límite de contacto {:.0f}°; lo que lo supera claramente está en rojo. ★ la más rápida que lo respeta.</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -228,28 +224,32 @@
         <translation>Cajera en espiral</translation>
     </message>
     <message>
-        <source>time [s]</source>
-        <translation>tiempo [s]</translation>
-    </message>
-    <message>
         <source>Spiral Pocket plots</source>
         <translation>Gráficos de la cajera en espiral</translation>
     </message>
     <message>
-        <source>; the tool controller has no spindle speed</source>
-        <translation>; el controlador no tiene velocidad de husillo</translation>
+        <source>Mean cutting force in {} [N]</source>
+        <translation>Fuerza de corte media en {} [N]</translation>
     </message>
     <message>
-        <source>engagement [°]</source>
-        <translation>contacto [°]</translation>
+        <source>Engagement [°]</source>
+        <translation>Contacto [°]</translation>
     </message>
     <message>
-        <source>feed [mm/min]</source>
-        <translation>avance [mm/min]</translation>
+        <source>Programmed feed [mm/min]</source>
+        <translation>Avance programado [mm/min]</translation>
     </message>
     <message>
-        <source>velocity [mm/min]</source>
-        <translation>velocidad [mm/min]</translation>
+        <source>The machine's velocity [mm/min]</source>
+        <translation>Velocidad de la máquina [mm/min]</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Tiempo [s]</translation>
+    </message>
+    <message>
+        <source>No force: no spindle speed in the tool controller</source>
+        <translation>Sin fuerza: el controlador de herramienta no tiene velocidad de husillo</translation>
     </message>
     <message>
         <source>Plots need the Python library matplotlib.</source>
@@ -258,14 +258,6 @@
     <message>
         <source>Install it with the Addon Manager or pip.</source>
         <translation>Instálela con el gestor de complementos o pip.</translation>
-    </message>
-    <message>
-        <source>force [N]</source>
-        <translation>fuerza [N]</translation>
-    </message>
-    <message>
-        <source>; force in {}</source>
-        <translation>; fuerza en {}</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -304,10 +296,6 @@
         <translation>Redibujar la trayectoria con cada cambio</translation>
     </message>
     <message>
-        <source>Engagement [°]</source>
-        <translation>Contacto [°]</translation>
-    </message>
-    <message>
         <source>Feed [mm/min]</source>
         <translation>Avance [mm/min]</translation>
     </message>
@@ -328,8 +316,8 @@
         <translation>Colorear por</translation>
     </message>
     <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
+        <source>The mark is the limit at the step-over: {:.0f}°</source>
+        <translation>La marca es el límite con este paso: {:.0f}°</translation>
     </message>
     <message>
         <source>entry</source>
@@ -354,6 +342,10 @@
     <message>
         <source>island</source>
         <translation>isla</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
     </message>
     <message>
         <source>Stop</source>

@@ -176,20 +176,12 @@
         <translation>99 % en dessous de</translation>
     </message>
     <message>
-        <source>Limit</source>
-        <translation>Limite</translation>
-    </message>
-    <message>
         <source>Mean engagement</source>
         <translation>Engagement moyen</translation>
     </message>
     <message>
         <source>Left uncut</source>
         <translation>Non usiné</translation>
-    </message>
-    <message>
-        <source>For comparison</source>
-        <translation>À titre de comparaison</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -206,6 +198,10 @@
     <message>
         <source>No path</source>
         <translation>Pas de parcours</translation>
+    </message>
+    <message>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
+        <translation>Avec la même fraise, le même pas et les mêmes avances sur {}. Limite d'engagement {:.0f}° ; ce qui la dépasse nettement est en rouge. ★ la plus rapide qui la respecte.</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -228,28 +224,32 @@
         <translation>Poche en spirale</translation>
     </message>
     <message>
-        <source>time [s]</source>
-        <translation>temps [s]</translation>
-    </message>
-    <message>
         <source>Spiral Pocket plots</source>
         <translation>Graphiques de la poche en spirale</translation>
     </message>
     <message>
-        <source>; the tool controller has no spindle speed</source>
-        <translation> ; le contrôleur d'outil n'a pas de vitesse de broche</translation>
+        <source>Mean cutting force in {} [N]</source>
+        <translation>Effort de coupe moyen dans {} [N]</translation>
     </message>
     <message>
-        <source>engagement [°]</source>
-        <translation>engagement [°]</translation>
+        <source>Engagement [°]</source>
+        <translation>Engagement [°]</translation>
     </message>
     <message>
-        <source>feed [mm/min]</source>
-        <translation>avance [mm/min]</translation>
+        <source>Programmed feed [mm/min]</source>
+        <translation>Avance programmée [mm/min]</translation>
     </message>
     <message>
-        <source>velocity [mm/min]</source>
-        <translation>vitesse [mm/min]</translation>
+        <source>The machine's velocity [mm/min]</source>
+        <translation>Vitesse de la machine [mm/min]</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Temps [s]</translation>
+    </message>
+    <message>
+        <source>No force: no spindle speed in the tool controller</source>
+        <translation>Pas d'effort : aucune vitesse de broche dans le contrôleur d'outil</translation>
     </message>
     <message>
         <source>Plots need the Python library matplotlib.</source>
@@ -258,14 +258,6 @@
     <message>
         <source>Install it with the Addon Manager or pip.</source>
         <translation>Installez-la avec le gestionnaire d'extensions ou pip.</translation>
-    </message>
-    <message>
-        <source>force [N]</source>
-        <translation>force [N]</translation>
-    </message>
-    <message>
-        <source>; force in {}</source>
-        <translation> ; force dans {}</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -304,10 +296,6 @@
         <translation>Redessiner le parcours à chaque changement</translation>
     </message>
     <message>
-        <source>Engagement [°]</source>
-        <translation>Engagement [°]</translation>
-    </message>
-    <message>
         <source>Feed [mm/min]</source>
         <translation>Avance [mm/min]</translation>
     </message>
@@ -328,8 +316,8 @@
         <translation>Colorer selon</translation>
     </message>
     <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
+        <source>The mark is the limit at the step-over: {:.0f}°</source>
+        <translation>Le repère est la limite pour ce pas : {:.0f}°</translation>
     </message>
     <message>
         <source>entry</source>
@@ -354,6 +342,10 @@
     <message>
         <source>island</source>
         <translation>îlot</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
     </message>
     <message>
         <source>Stop</source>

@@ -176,20 +176,12 @@
         <translation>99 % 低于</translation>
     </message>
     <message>
-        <source>Limit</source>
-        <translation>上限</translation>
-    </message>
-    <message>
         <source>Mean engagement</source>
         <translation>平均啮合角</translation>
     </message>
     <message>
         <source>Left uncut</source>
         <translation>未切除</translation>
-    </message>
-    <message>
-        <source>For comparison</source>
-        <translation>用于比较</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -206,6 +198,10 @@
     <message>
         <source>No path</source>
         <translation>无刀路</translation>
+    </message>
+    <message>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
+        <translation>相同的刀具、步距和进给，机床为 {}。啮合角上限 {:.0f}°；明显超过者以红色显示。★ 遵守上限的最快策略。</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -228,28 +224,32 @@
         <translation>螺旋型腔</translation>
     </message>
     <message>
-        <source>time [s]</source>
-        <translation>时间 [s]</translation>
-    </message>
-    <message>
         <source>Spiral Pocket plots</source>
         <translation>螺旋型腔图表</translation>
     </message>
     <message>
-        <source>; the tool controller has no spindle speed</source>
-        <translation>；刀具控制器没有主轴转速</translation>
+        <source>Mean cutting force in {} [N]</source>
+        <translation>{} 中的平均切削力 [N]</translation>
     </message>
     <message>
-        <source>engagement [°]</source>
+        <source>Engagement [°]</source>
         <translation>啮合角 [°]</translation>
     </message>
     <message>
-        <source>feed [mm/min]</source>
-        <translation>进给 [mm/min]</translation>
+        <source>Programmed feed [mm/min]</source>
+        <translation>编程进给 [mm/min]</translation>
     </message>
     <message>
-        <source>velocity [mm/min]</source>
-        <translation>速度 [mm/min]</translation>
+        <source>The machine's velocity [mm/min]</source>
+        <translation>机床速度 [mm/min]</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>时间 [s]</translation>
+    </message>
+    <message>
+        <source>No force: no spindle speed in the tool controller</source>
+        <translation>无切削力：刀具控制器中没有主轴转速</translation>
     </message>
     <message>
         <source>Plots need the Python library matplotlib.</source>
@@ -258,14 +258,6 @@
     <message>
         <source>Install it with the Addon Manager or pip.</source>
         <translation>请用插件管理器或 pip 安装。</translation>
-    </message>
-    <message>
-        <source>force [N]</source>
-        <translation>切削力 [N]</translation>
-    </message>
-    <message>
-        <source>; force in {}</source>
-        <translation>；切削力：{}</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -304,10 +296,6 @@
         <translation>数值更改时重新绘制刀路</translation>
     </message>
     <message>
-        <source>Engagement [°]</source>
-        <translation>啮合角 [°]</translation>
-    </message>
-    <message>
         <source>Feed [mm/min]</source>
         <translation>进给 [mm/min]</translation>
     </message>
@@ -328,8 +316,8 @@
         <translation>着色依据</translation>
     </message>
     <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
+        <source>The mark is the limit at the step-over: {:.0f}°</source>
+        <translation>标记为该步距下的上限：{:.0f}°</translation>
     </message>
     <message>
         <source>entry</source>
@@ -354,6 +342,10 @@
     <message>
         <source>island</source>
         <translation>岛屿</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
     </message>
     <message>
         <source>Stop</source>

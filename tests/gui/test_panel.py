@@ -230,7 +230,7 @@ def test_expression_is_evaluated_and_kept(operation):
 
 
 def test_freecads_own_pages_keep_their_titles(operation):
-    box = panel().form
+    box, *_ = panel().form
     titles = [box.itemText(i) for i in range(box.count())]
     assert titles == ["Base Geometry", "Depths", "Heights", "Operation"]
     assert box.windowTitle() == "Spiral Pocket"

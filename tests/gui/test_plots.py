@@ -52,7 +52,8 @@ def test_curves_are_the_plans(opened):
     curves = curves_of([drawn, drawn], opened.ToolController)
     assert curves.clock[-1] == pytest.approx(2 * drawn.plan.report.time)
     assert (np.diff(curves.clock) >= 0).all()
-    assert curves.engagement.max() <= 180 and curves.force.max() > 1
+    assert np.nanmax(curves.engagement) <= 180 and np.nanmax(curves.force) > 1
+    assert (np.isnan(curves.engagement) == np.isnan(curves.force)).all()
     assert np.nanmedian(curves.feed) == pytest.approx(1500)
     assert 1400 < curves.velocity.max() < 5001
     opened.ToolController.SpindleSpeed = 0

@@ -75,10 +75,15 @@ def test_freecads_estimate_is_its_own(opened):
 
 
 def test_a_change_greys_the_figures_until_they_hold_again(opened):
+    before, height = page().result_box.texts, page().result_box.box.height()
     widget("stepOverPercent").setValue(21)
-    assert not page().result_box.box.isEnabled()
+    assert not page().result_box.body.isEnabled()
+    wait_for(lambda: page().outlook.pockets[0].drawn is None)
+    assert not page().result_box.body.isEnabled()
+    assert page().result_box.texts == before and page().result_box.box.height() == height
     settle()
-    assert page().result_box.box.isEnabled()
+    assert page().result_box.body.isEnabled()
+    assert page().result_box.texts != before
     assert "makes this path" in state()
 
 
