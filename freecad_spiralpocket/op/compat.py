@@ -44,6 +44,7 @@ __all__ = [
     "PathUtils",
     "active_document",
     "add_tool_controller",
+    "evaluate_constants",
     "parent_job",
     "post_process",
     "set_end_mill",
@@ -189,3 +190,20 @@ def _export_legacy(job: Any, post: str, args: str) -> list[str]:
             with open(name, encoding="utf-8") as file:
                 texts.append(file.read())
     return texts
+
+
+def evaluate_constants(obj: Any, names: Sequence[str]) -> None:
+    """Write what the expressions of these properties give.
+
+    0.20 leaves an expression that names no other property (``0.1 mm * 3``) out of its
+    evaluation where there are others that do, as every operation's depths.
+    """
+    if not IS_LEGACY:
+        return
+    for name, text in obj.ExpressionEngine:
+        if name in names:
+            old, new = (
+                getattr(v, "Value", v) for v in (getattr(obj, name), obj.evalExpression(text))
+            )
+            if new != old:
+                setattr(obj, name, type(old)(new) if isinstance(old, (int, float)) else new)

@@ -25,7 +25,14 @@ from ..engine.dependencies import require_libraries
 from ..engine.errors import CancelledError, SetupError, SpiralPocketError
 from ..engine.model import Notice, Plan, Progress
 from . import commands, properties, results, selection
-from .compat import PathLog, PathOp, PathSetupSheet, parent_job, tool_shape
+from .compat import (
+    PathLog,
+    PathOp,
+    PathSetupSheet,
+    evaluate_constants,
+    parent_job,
+    tool_shape,
+)
 
 if TYPE_CHECKING:
     from .pockets import Planner
@@ -150,6 +157,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         obj.SpiralCurve = Part.Shape()
         properties.clear_results(obj)
         try:
+            evaluate_constants(obj, properties.option_names())
             if obj.Active:
                 self.check_setup(obj)
             super().execute(obj)

@@ -47,6 +47,7 @@ def test_reading_touches_nothing(fresh):
         ("StepDown", "OpToolDiameter / 3"),
         ("StockToLeave", "OpToolDiameter / 20"),
         ("FinalDepth", "OpFinalDepth + 1 mm"),
+        ("StockToLeave", "0.1 mm * 3"),
         ("SlowdownPercent", "50 + 5"),
     ],
 )

@@ -68,6 +68,23 @@ def test_the_path_reaches_the_floor_and_ends_at_clearance(op):
     assert heights[0] == heights[-1] == max(heights) == op.ClearanceHeight.Value
 
 
+@pytest.mark.parametrize(
+    ("name", "expression", "value"),
+    [
+        ("StockToLeave", "0.1 mm * 3", 0.3),
+        ("SlowdownPercent", "50 + 5", 55),
+        ("StepOver", "30", 30),
+    ],
+)
+def test_constant_expression_holds_after_a_recompute(op, name, expression, value):
+    op.setExpression(name, expression)
+    op.Document.recompute()
+    found = getattr(op, name)
+    assert getattr(found, "Value", found) == pytest.approx(value)
+    assert dict(op.ExpressionEngine)[name]
+    assert "Touched" not in op.State
+
+
 def test_results_hold_what_was_measured(op):
     (plan,) = op.Proxy.plans
     assert 0 < op.LargestEngagement.Value <= 180

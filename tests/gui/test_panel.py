@@ -3,7 +3,6 @@
 
 import math
 
-import FreeCAD
 import FreeCADGui
 import pytest
 from conftest import DEPTH, add_job, floors, new_document, plate
@@ -216,10 +215,6 @@ def test_field_shows_what_was_changed_elsewhere(operation):
     assert widget("stockToLeave").property("rawValue") == pytest.approx(0.4)
 
 
-@pytest.mark.xfail(
-    FreeCAD.Version()[1] == "20",
-    reason="known limit: FreeCAD 0.20 leaves the operation's constant expression unevaluated",
-)
 def test_expression_is_evaluated_and_kept(operation):
     operation.setExpression("StockToLeave", "0.1 mm * 3")
     press(APPLY)
