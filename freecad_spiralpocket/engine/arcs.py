@@ -42,28 +42,41 @@ class Pieces:
     ccw: NDArray[np.bool_]
 
 
-def fit_arcs(points: Floats, tolerance: float) -> Pieces:
-    """Fit lines and arcs to a polyline.
+def fit_arcs(points: Floats, tolerance: float, begins: NDArray[np.intp] | None = None) -> Pieces:
+    """Fit lines and arcs to polylines.
 
     Parameters
     ----------
     points : ndarray of shape (n, 2)
-        At least two, no two successive ones the same [mm].
+        Of one polyline or of several, one after the other; of each at least two, no two
+        successive ones the same [mm].
     tolerance : float
-        Largest distance of a piece from the polyline [mm].
+        Largest distance of a piece from its polyline [mm].
+    begins : ndarray of int, optional
+        The first point of each polyline, ascending; without it there is only one.
     """
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
     bounds = np.arange(len(points))
-    idle = 0
-    parity = 0
-    while len(bounds) > 2 and idle < 2:
-        first = np.arange(parity, len(bounds) - 2, 2)
-        fits = _fit(points, along, bounds[first], bounds[first + 2], tolerance)[0]
-        idle = idle + 1 if not fits.any() else 0
-        bounds = np.delete(bounds, first[fits] + 1)
+    is_first = np.zeros(len(points), bool)
+    is_first[0 if begins is None else begins] = True
+    is_end = is_first | np.roll(is_first, -1)
+    # what cannot be left out: the ends, and where it was tried with the same neighbors
+    settled = is_end.copy()
+    parity = 1
+    while not settled.all():
+        index = np.arange(len(bounds))
+        place = index - np.maximum.accumulate(np.where(is_first[bounds], index, 0))
+        inner = index[~settled & (place % 2 == parity)]
+        fits = _fit(points, along, bounds[inner - 1], bounds[inner + 1], tolerance)[0]
+        settled[inner] = True
+        out = inner[fits]
+        settled[out - 1] = is_end[bounds[out - 1]]
+        settled[out + 1] = is_end[bounds[out + 1]]
+        bounds, settled = np.delete(bounds, out), np.delete(settled, out)
         parity = 1 - parity
-    _, centers, ccw = _fit(points, along, bounds[:-1], bounds[1:], tolerance)
-    return Pieces(bounds[1:], centers, ccw)
+    real = ~is_first[bounds[1:]]
+    _, centers, ccw = _fit(points, along, bounds[:-1][real], bounds[1:][real], tolerance)
+    return Pieces(bounds[1:][real], centers, ccw)
 
 
 def _fit(
@@ -81,23 +94,27 @@ def _fit(
     c = points[np.clip(middle, begin + 1, np.maximum(end - 1, begin + 1))]
     centers = _circumcenters(a, b, c)
     chord = b - a
-    count = 2 * (end - begin)  # every point after the first, and every middle before it
-    row = np.repeat(np.arange(len(begin)), count)
-    offset = np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count)
-    at = begin[row] + offset // 2
-    places = np.where((offset % 2)[:, None] == 1, points[at + 1], (points[at] + points[at + 1]) / 2)
+    count = end - begin  # chords: the end of each, and its middle
     first = np.cumsum(count) - count
+    row = np.repeat(np.arange(len(begin)), count)
+    at = begin[row] + np.arange(len(row)) - first[row]
+    x, y = points.T
+    x, y = (
+        np.stack([x[at + 1], (x[at] + x[at + 1]) / 2]),
+        np.stack([y[at + 1], (y[at] + y[at + 1]) / 2]),
+    )
 
     span = np.hypot(*chord.T)
-    side = np.abs(_cross(chord[row], places - a[row])) / np.maximum(span, 1e-12)[row]
+    side = chord[row, 0] * (y - a[row, 1]) - chord[row, 1] * (x - a[row, 0])
+    side = np.abs(side).max(axis=0) / np.maximum(span, 1e-12)[row]
     length = along[end] - along[begin]
     straight = (np.maximum.reduceat(side, first) <= tolerance) & (length <= LONGEST * span)
 
     radius = np.hypot(*(a - centers).T)
     with np.errstate(invalid="ignore", divide="ignore"):
-        off = np.abs(np.hypot(*(places - centers[row]).T) - radius[row])
+        off = np.hypot(x - centers[row, 0], y - centers[row, 1]) - radius[row]
         half = np.arcsin(np.minimum(span / (2 * radius), 1.0))
-        bent = np.maximum.reduceat(off, first) <= tolerance
+        bent = np.maximum.reduceat(np.abs(off).max(axis=0), first) <= tolerance
         # chords are shorter than their arc; a way back and forth is much longer
         bent &= (length <= LONGEST * 2 * half * radius) & (2 * half < LARGEST_SWEEP)
         bent &= radius < WIDEST

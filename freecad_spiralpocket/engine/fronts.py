@@ -30,8 +30,9 @@ from shapely import MultiPolygon, Polygon
 
 from .filters import evened, highest
 from .model import Floats
-from .polyline import points_at
+from .polyline import points_at, simplified
 from .region import polygons_of
+from .walls import are_near_walls
 
 #: What growing and shrinking return.
 Region: TypeAlias = Polygon | MultiPolygon
@@ -94,11 +95,13 @@ def buffer(shape: Region, distance: float) -> Region:
 
 def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
     """Open a region where it meets the walls of `omega`; its free tips stay."""
-    opened = buffer(buffer(shape, -fillet), fillet)
-    shapely.prepare(opened)
-    points = shapely.points(shapely.get_coordinates(shape))
-    points = points[~shapely.dwithin(opened, points, TIP_HEIGHT * fillet)]
-    if len(points) == 0 or shapely.dwithin(omega.boundary, points, 0.4 * fillet).all():
+    core = buffer(shape, -fillet)
+    opened = buffer(core, fillet)
+    kept = buffer(core, (1 + TIP_HEIGHT) * fillet)
+    shapely.prepare(kept)
+    points = shapely.get_coordinates(shape)
+    points = points[~shapely.contains_xy(kept, points)]
+    if len(points) == 0 or are_near_walls(omega, points, 0.4 * fillet).all():
         return opened
     taken = shapely.get_parts(shapely.difference(shape, opened))
     taken = taken[shapely.area(taken) > SLIVER]
@@ -128,14 +131,16 @@ def _stepped_ring(
     bend = np.roll(soft, -1, axis=0) - 2 * soft + np.roll(soft, 1, axis=0)
     speed = np.hypot(tangent[:, 0], tangent[:, 1]) + 1e-12
     curvature = (tangent[:, 0] * bend[:, 1] - tangent[:, 1] * bend[:, 0]) / speed**3
-    on_wall = shapely.dwithin(omega.boundary, shapely.points(points), 0.02)
+    on_wall = are_near_walls(omega, points, 0.02)
     curvature = np.where(on_wall, 0.0, np.maximum(curvature, 0.0))
     width = max(3, round(2 * REACH * rules.cutter_radius / spacing) | 1)
     curvature = highest(curvature, width, closed=True)
     curvature = evened(curvature, EVEN * rules.cutter_radius / spacing, closed=True)
     step = np.where(on_wall, 0.0, engagement_step(curvature, rules))
     normal = np.column_stack([tangent[:, 1], -tangent[:, 0]]) / speed[:, None]
-    return points + step[:, None] * normal, float(step[~on_wall].min(initial=rules.stepover))
+    moved = points + step[:, None] * normal
+    moved = simplified(np.vstack([moved, moved[:1]]), STRAIGHT)[:-1]
+    return moved, float(step[~on_wall].min(initial=rules.stepover))
 
 
 def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
@@ -244,6 +249,8 @@ REACH, EVEN = 0.8, 0.9
 #: Distance of samples along a front, and width of the smoothing under which its bends are taken,
 #: over R or over the width of a slim one.
 SPACING, SOFT = 0.12, 0.4
+#: Samples of a moved front that matter less than this are left out [mm].
+STRAIGHT = 0.0005
 #: A front goes no farther than this beyond the last, over R: there the cutter reached over.
 REACHED = 0.92
 #: Radii tried to round a reentrant kink, over `FrontRules.closing`.

@@ -17,6 +17,37 @@ def points_at(line: LineString, at: Floats) -> Floats:
     return np.stack([np.interp(at, along, coords[:, i]) for i in (0, 1)], axis=-1)
 
 
+def locate(line: LineString, points: Floats) -> Floats:
+    """Return how far along a line it is nearest to each of a row of points, shape (n,) [mm].
+
+    Parameters
+    ----------
+    line : shapely.LineString
+    points : ndarray of shape (n, 2)
+        Along a curve: only the part of the line near it is looked at.
+    """
+    coords = shapely.get_coordinates(line)
+    steps = np.diff(coords, axis=0)
+    lengths = np.hypot(steps[:, 0], steps[:, 1])
+    begins = np.cumsum(lengths) - lengths
+    # from one probe to the next the distance to the line grows by no more than the way between
+    skip = max(1, len(points) // 8)
+    probes = points[::skip]
+    along = np.cumsum(np.hypot(*np.diff(points, axis=0).T), dtype=float)
+    stretch = np.diff(np.r_[0.0, along[skip - 1 :: skip], along[-1:]]).max(initial=0.0)
+    far = np.hypot(*(probes[:, None] - coords).T).min(axis=0).max() + stretch
+    low, high = points.min(axis=0) - far, points.max(axis=0) + far
+    a, b = coords[:-1], coords[1:]
+    near = ((np.maximum(a, b) >= low) & (np.minimum(a, b) <= high)).all(axis=1)
+    a, steps, lengths, begins = a[near], steps[near], lengths[near], begins[near]
+    dx, dy = points[:, :1] - a[:, 0], points[:, 1:] - a[:, 1]
+    square = np.maximum(lengths**2, 1e-30)
+    share = np.clip((dx * steps[:, 0] + dy * steps[:, 1]) / square, 0.0, 1.0)
+    apart = (dx - share * steps[:, 0]) ** 2 + (dy - share * steps[:, 1]) ** 2
+    which = np.argmin(apart, axis=1)
+    return begins[which] + share[np.arange(len(points)), which] * lengths[which]
+
+
 def ring_from(ring: Floats, place: Floats, toward: tuple[float, float] | None = None) -> Floats:
     """Return a closed ring that begins at the point of it nearest to `place`.
 

@@ -62,7 +62,8 @@ def render(cuts: Sequence[Cut], request: PocketRequest) -> tuple[Toolpath, NDArr
         here = cut.room
     builder.rapid(request.feeds.vertical_rapid, z=heights.clearance)
     owners += [(len(cuts) - 1, -1)] * (len(builder) - len(owners))
-    return builder.build(), np.array(owners, np.int64).reshape(-1, 2)
+    toolpath, entries = builder.build_with_entries()
+    return toolpath, np.array(owners, np.int64).reshape(-1, 2)[entries]
 
 
 def _cut_room(

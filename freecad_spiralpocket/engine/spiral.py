@@ -18,7 +18,7 @@ from shapely import LineString, Polygon
 from .filters import evened
 from .model import Floats
 from .nearest import nearest
-from .polyline import points_at
+from .polyline import locate, points_at
 from .strokes import CHORD, Stroke
 
 #: Length of the zone over which a lap becomes the next, over R: the way across adds its angle to
@@ -69,7 +69,7 @@ def blend(lap: LineString, start: float, target: LineString, length: float) -> F
     count = max(4, int(np.ceil(length / FINE_CHORD)))
     u = np.linspace(0.0, 1.0, count + 1)
     source = points_at(lap, (start + u * length) % lap.length)
-    across = shapely.line_locate_point(target, shapely.points(source))
+    across = locate(target, source)
     # the nearest point jumps at every vertex of the chords that stand for a curve
     across = np.unwrap(across, period=target.length)
     across = evened(across, EVEN / FINE_CHORD)

@@ -9,9 +9,11 @@ keep the proof and the machine-time model vectorised over 10^5 moves.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import IntEnum
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -113,8 +115,26 @@ class Toolpath:
         )
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Way:
+    """A polyline (n, 2) at height z [mm], whose first point is where the cutter was before."""
+
+    points: Floats
+    z: float
+    feed: float
+    role: Role
+    tolerance: float
+
+
+#: One move: kind, role, point, center, feed.
+_Row: TypeAlias = tuple[int, int, float, float, float, float, float, float]
+
+
 class ToolpathBuilder:
-    """Collects moves one after the other; skips those that go nowhere."""
+    """Collects moves one after the other; skips those that go nowhere.
+
+    Polylines become lines and arcs all at once, when the path is built.
+    """
 
     #: Shorter moves are dropped [mm]: posts round to 3 or 4 decimals, and a move of no length
     #: upsets dressups and controllers.
@@ -123,11 +143,11 @@ class ToolpathBuilder:
     def __init__(self, start: Sequence[float]) -> None:
         self._start = np.array(start, float)
         self._here = self._start.copy()
-        self._rows: list[tuple[int, int, float, float, float, float, float, float]] = []
+        self._entries: list[_Row | _Way] = []
 
     def __len__(self) -> int:
-        """Return the number of moves so far."""
-        return len(self._rows)
+        """Return the number of entries so far: moves, and polylines that are several moves."""
+        return len(self._entries)
 
     @property
     def here(self) -> Floats:
@@ -135,9 +155,9 @@ class ToolpathBuilder:
         return self._here.copy()
 
     def _add(self, kind: Kind, role: Role, point: Floats, center: Floats, feed: float) -> None:
-        if np.linalg.norm(point - self._here) < self.SHORTEST:
+        if math.dist(point, self._here) < self.SHORTEST:
             return
-        self._rows.append((int(kind), int(role), *point, *center, float(feed)))
+        self._entries.append((int(kind), int(role), *point, *center, float(feed)))
         self._here = point
 
     def rapid(
@@ -167,12 +187,8 @@ class ToolpathBuilder:
         points = points[np.concatenate([[True], apart])]
         if len(points) < 2:
             return
-        fitted = fit_arcs(points, tolerance)
-        for end, center, ccw in zip(fitted.ends, fitted.centers, fitted.ccw, strict=True):
-            if np.isnan(center[0]):
-                self.line((*points[end], z), feed, role)
-            else:
-                self.arc((*points[end], z), center, bool(ccw), feed, role)
+        self._entries.append(_Way(points, z, float(feed), role, tolerance))
+        self._here = np.array([*points[-1], z])
 
     def arc(
         self,
@@ -188,12 +204,45 @@ class ToolpathBuilder:
 
     def build(self) -> Toolpath:
         """Return the collected moves."""
-        rows = np.array(self._rows, float).reshape(-1, 8)
-        return Toolpath(
+        return self.build_with_entries()[0]
+
+    def build_with_entries(self) -> tuple[Toolpath, NDArray[np.intp]]:
+        """Return the collected moves, and the number of the entry that each came from."""
+        single: list[tuple[float, ...]] = []
+        ways: dict[float, dict[int, _Way]] = {}
+        for i, entry in enumerate(self._entries):
+            if isinstance(entry, _Way):
+                ways.setdefault(entry.tolerance, {})[i] = entry
+            else:
+                single.append((i, *entry))
+        table = np.array(single, float).reshape(-1, 9)
+        rows, entries = [table[:, 1:]], [table[:, 0].astype(np.intp)]
+        for tolerance, alike in ways.items():
+            fitted, which = _fitted(list(alike.values()), tolerance)
+            rows.append(fitted)
+            entries.append(np.array(list(alike), np.intp)[which])
+        entry_of = np.concatenate(entries)
+        order = np.argsort(entry_of, kind="stable")
+        table = np.concatenate(rows)[order]
+        toolpath = Toolpath(
             start=self._start,
-            kinds=rows[:, 0].astype(np.int8),
-            roles=rows[:, 1].astype(np.int8),
-            points=rows[:, 2:5].copy(),
-            centers=rows[:, 5:7].copy(),
-            feeds=rows[:, 7].copy(),
+            kinds=table[:, 0].astype(np.int8),
+            roles=table[:, 1].astype(np.int8),
+            points=table[:, 2:5].copy(),
+            centers=table[:, 5:7].copy(),
+            feeds=table[:, 7].copy(),
         )
+        return toolpath, entry_of[order]
+
+
+def _fitted(ways: Sequence[_Way], tolerance: float) -> tuple[Floats, NDArray[np.intp]]:
+    """Return the moves along polylines, shape (m, 8), and the number of the polyline of each."""
+    points = np.concatenate([way.points for way in ways])
+    counts = np.array([len(way.points) for way in ways])
+    pieces = fit_arcs(points, tolerance, np.cumsum(counts) - counts)
+    which = np.repeat(np.arange(len(ways)), counts)[pieces.ends]
+    bent = np.where(pieces.ccw, Kind.ARC_CCW, Kind.ARC_CW)
+    kinds = np.where(np.isnan(pieces.centers[:, 0]), Kind.LINE, bent)
+    rest = np.array([(way.role, way.z, way.feed) for way in ways], float)[which]
+    moves = [kinds, rest[:, 0], points[pieces.ends], rest[:, 1], pieces.centers, rest[:, 2]]
+    return np.column_stack(moves), which

@@ -83,3 +83,15 @@ def test_pieces_keep_to_any_polyline(steps):
     assert pieces.ends[-1] == len(points) - 1 and (np.diff(pieces.ends) > 0).all()
     # tested at points and middles of chords; between them an arc strays hardly farther
     assert deviation(points, pieces) <= 1.5 * TOLERANCE
+
+
+def test_polylines_are_fitted_together_as_apart():
+    phi = np.linspace(0, 3, 60)[:, None]
+    arc = 8 * np.column_stack([np.cos(phi), np.sin(phi)])
+    zigzag = np.array([(0, 0), (5, 0), (10, 0), (10, 5), (10, 10)], float)
+    both = fit_arcs(np.vstack([zigzag, arc, zigzag]), TOLERANCE, np.array([0, 5, 65]))
+    apart = [fit_arcs(points, TOLERANCE) for points in (zigzag, arc)]
+    ends = [apart[0].ends, 5 + apart[1].ends, 65 + apart[0].ends]
+    assert both.ends.tolist() == np.concatenate(ends).tolist()
+    centers = [apart[0].centers, apart[1].centers, apart[0].centers]
+    np.testing.assert_allclose(both.centers, np.vstack(centers), atol=1e-9)

@@ -5,16 +5,18 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import shapely
 from scipy import ndimage
 from scipy.interpolate import BSpline
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra, minimum_spanning_tree
 from scipy.spatial import cKDTree
-from shapely import MultiPoint
+from shapely import LineString, MultiPoint
 
 from freecad_spiralpocket.engine.filters import dilated, evened, highest, lowest
 from freecad_spiralpocket.engine.graphs import delaunay_triangles, shortest_paths, spanning_tree
 from freecad_spiralpocket.engine.nearest import nearest
+from freecad_spiralpocket.engine.polyline import locate
 from freecad_spiralpocket.engine.routing import clamped_spline
 
 RANDOM = np.random.default_rng(7)
@@ -103,6 +105,18 @@ def test_no_point_is_inside_the_circle_of_a_delaunay_triangle():
     ab, ac = b - a, c - a
     areas = np.abs(ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0]) / 2
     assert np.isclose(areas.sum(), MultiPoint(points).convex_hull.area)
+
+
+@pytest.mark.parametrize("chords", [3, 60, 900])
+@pytest.mark.parametrize("apart", [0.0, 2.4, 40.0])
+def test_locate_is_the_nearest_place_on_a_line(chords, apart):
+    turn = np.linspace(0.0, 2 * np.pi, chords + 1)
+    line = LineString(50 * np.column_stack([np.cos(turn), np.sin(turn)]))
+    along = np.linspace(1.0, 1.6, 211)
+    points = (50 - apart) * np.column_stack([np.cos(along), np.sin(along)])
+    points = points + 0.01 * RANDOM.normal(size=points.shape)
+    expected = shapely.line_locate_point(line, shapely.points(points))
+    np.testing.assert_allclose(locate(line, points), expected, atol=1e-9)
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 9])
