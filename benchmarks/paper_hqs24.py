@@ -4,7 +4,8 @@
 The paper prints no coordinates; the pockets are approximations (paper_pockets.py). Its raw
 side is made as it describes: linear elements on about 12,000 nodes, contours as they come
 (plate.py). Our own isotherms, from a second-order grid, are shown raw and refitted beside it.
-Raw and refitted spirals go through the same laps. One turn here is a closed lap. Quantiles
+Raw and refitted spirals go through the same laps. One turn here is a closed lap, of those about
+the hottest place: the paper spirals from one only. Quantiles
 of curvature are over points, raw ones as they come and refitted ones evenly spaced.
 """
 
@@ -18,6 +19,7 @@ import shapely
 from paper_pockets import pocket
 from plate import PlateContours
 from shapely import LineString, Polygon
+from shapely.affinity import scale
 
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.engine.floor import Pass, Slot
@@ -33,7 +35,10 @@ from freecad_spiralpocket.engine.toolpath import Role
 
 #: Cutter and largest deviation [mm]; programmed feed [mm/s]; largest distance of laps [mm].
 DIAMETER, DEVIATION, FEED = 10.0, 0.5, 10_000 / 60
-DISTANCES = {"big": 7.5, "hug": 2.5}
+DISTANCE = 7.5
+#: The paper's second pocket takes 17 isotherms, and laps of its take four times as long as those
+#: of a pocket as small as ours: it must be about so many times as large.
+SCALES = {"big": 1.0, "hug": 3.0}
 MACHINE = machines.load("ucp710")
 #: Distance of the points of refitted paths [mm]: the paper has 360 on turns of about 700 mm.
 SPACING = 2.0
@@ -60,14 +65,14 @@ def no_tick(done: float) -> None:
 
 def family(name: str) -> tuple[Family, Polygon]:
     """Return the raw isotherms of a pocket, and its cutter-center region."""
-    shape = pocket(name)
+    shape = scale(pocket(name), SCALES[name], SCALES[name], origin=(0, 0))
     region = center_regions(shape, DIAMETER / 2, 0.0)[0]
     request = PocketRequest(
         shape,
         DIAMETER,
         Heights(8, 3, 0, -5, 5),
         Feeds(FEED, 10, 500, 500),
-        Cutting(DISTANCES[name], finishing_lap=False),
+        Cutting(DISTANCE, finishing_lap=False),
     )
     return family_of(region, request, 3.0, 0.0), region
 
@@ -93,6 +98,17 @@ def isotherms_of(lap: Lap) -> list[Lap]:
     """Return the isotherms among a lap and all inside of it, the hottest branch first."""
     below = [one for inner in lap.inner for one in isotherms_of(inner)]
     return ([] if np.isnan(lap.level) or lap.level == 0 else [lap]) + below
+
+
+def hottest(lap: Lap) -> list[Lap]:
+    """Return the isotherms from a lap inwards to the hottest place, as the paper's one spiral."""
+    found = []
+    while True:
+        if not np.isnan(lap.level) and lap.level != 0:
+            found.append(lap)
+        if not lap.inner:
+            return found
+        lap = lap.inner[0]
 
 
 def spirals(lap: Lap, found: Family, region: Polygon) -> list[np.ndarray]:
@@ -195,18 +211,39 @@ def compare(name: str, found: Family, region: Polygon) -> dict:
         "patches_max": max(patches),
         "deviation_mm": round(off, 3),
         "whole": whole(name, *(spirals(lap, found, region) for lap in (raw, fitted))),
-        "turns": turns(name, *lines),
+        "turns": turns(name, *(hottest(lap) for lap in (raw, fitted))),
     }
 
 
 def figures() -> dict:
     """Print the tables next to ours and return the figures."""
     results = {}
-    for name in DISTANCES:
+    for name in SCALES:
         found, region = family(name)
         plate = PlateContours(found.region)
         print(f"{name}, linear elements on {plate.count} nodes:")
         results[name] = compare(name, replace(found, contours=plate), region)
         print(f"{name}, our grid of {found.field.inside.sum()} nodes:")
         results[name]["own"] = compare(name, found, region)
+    results["shown"] = shown(results)
+    print(results["shown"])
     return results
+
+
+def shown(results: dict[str, dict]) -> dict[str, bool]:
+    """Return which of the paper's statements hold for its linear elements, refitted our way."""
+    pairs, saved = [], []
+    for name in SCALES:
+        papers = {"whole": WHOLE.get(name, (None, None))}
+        papers |= {place: row[1:3] for place, row in TURNS[name].items()}
+        ours = {"whole": results[name]["whole"], **results[name]["turns"]}
+        for place, (cut95, cut99) in papers.items():
+            pairs += [(ours[place]["cut95"], cut95), (ours[place]["cut99"], cut99)]
+        saved += [turn["time_saved_pct"] for turn in results[name]["turns"].values()]
+    both = [(ours, paper) for ours, paper in pairs if paper]
+    return {
+        "curvature_falls_as_far": all(ours[1] <= paper[1] for ours, paper in both),
+        "curvature_falls_by_as_much": all(o[1] / o[0] <= p[1] / p[0] + 0.005 for o, p in both),
+        "10_percent_saved_each_turn": min(saved) >= 10,
+        "within_0.5_mm": all(results[name]["deviation_mm"] <= DEVIATION for name in SCALES),
+    }
