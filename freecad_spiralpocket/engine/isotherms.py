@@ -34,8 +34,11 @@ if TYPE_CHECKING:
 UNKNOWNS, COARSEST, MOST = 12_000, 0.5, 60_000
 #: Largest deviation of refitted laps over the step-over, and [mm] (the paper's).
 DEVIATION, LARGEST_DEVIATION = 0.04, 0.5
-#: It is halved so often until laps are nested.
-HALVINGS = 6
+#: It is halved so often until laps do not cross themselves.
+HALVINGS = 3
+#: Between the points that are fitted a lap may be so much farther from its isotherm, and where it
+#: keeps inside of the one before; one in so many of its points is looked at.
+FARTHER, SOME = 1.5, 3
 #: The last lap keeps off the wall by this [mm].
 INSET = 0.01
 #: It is refitted within these shares of that, the first that keeps off; about so long are its
@@ -250,15 +253,38 @@ def from_lines(points: Floats, lines: list[Floats]) -> Floats:
 
 
 def _nested(family: Family, part: Polygon, room: Room) -> tuple[Polygon, int]:
-    """Return a lap refitted so closely that it keeps inside its room, and its patches."""
-    if family.deviation > 0:
-        shapely.prepare(room.region)
-        fits, guess = _fits(part), room.patches
-        for halving in range(HALVINGS):
-            lap, guess = _of_fits(fits, family.deviation * 0.5**halving, guess)
-            if lap.is_valid and room.region.contains(lap):
-                return lap, guess
+    """Return a lap refitted so that it keeps inside its room, and its patches.
+
+    Along ridges, and beside saddles, laps are closer than their deviation. There a lap takes the
+    way of the one before instead of one that is as close and crosses it.
+    """
+    if family.deviation == 0:
+        return part, room.patches
+    shapely.prepare(room.region)
+    fits, guess = _fits(part), room.patches
+    for halving in range(HALVINGS):
+        bound = family.deviation * 0.5**halving
+        lap, guess = _of_fits(fits, bound, guess)
+        if not lap.is_valid:
+            continue
+        inside = [lap]
+        if not room.region.contains(lap):
+            inside = polygons_of(shapely.intersection(lap, room.region))
+        if _is_all_of(part, inside, bound):
+            return oriented(inside[0]), guess
     return part, room.patches
+
+
+def _is_all_of(part: Polygon, inside: list[Polygon], bound: float) -> bool:
+    """Return whether the first of some polygons is an isotherm's region to within a bound [mm]."""
+    if not inside or len(inside[0].interiors) != len(part.interiors):
+        return False
+    if abs(inside[0].area - part.area) > bound * part.length:
+        return False
+    line = part.boundary
+    shapely.prepare(line)
+    places = shapely.points(points_of(inside[0])[::SOME])
+    return bool(shapely.dwithin(line, places, FARTHER * bound).all())
 
 
 def refitted(part: Polygon, deviation: float, guess: int = 8) -> tuple[Polygon, int]:

@@ -21,16 +21,18 @@ from itertools import pairwise
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely import Polygon
 
 from .cleared import ClearedMap
 from .entry import slot_end
 from .floor import FloorPath, Helix, Pass, Slot
+from .kinks import softened
 from .linking import Motion, leave_wall
 from .model import Floats, PocketRequest, Tick
 from .ordering import Run, Step, order
 from .polyline import ring_from, simplified
-from .spiral import BLEND, spiral_through, zones
+from .spiral import BLEND, spiral_through, zone_length, zones
 from .starts import straightest
 from .strokes import Stroke
 from .toolpath import Role
@@ -40,8 +42,12 @@ from .turns import Match, Ring, match, turn
 SPACING, PARTNERS = 0.25, 0.3
 #: A chain goes over to its first ring where that is no farther than this over the step-over.
 WIDEST = 1.3
+#: There both run side by side: in so many places, at no less than this share of the speed.
+ALONG, SLOWEST = 9, 0.3
 #: Points that matter less than this share of the tolerance are dropped.
 SLIM = 0.3
+#: Spreading kinks moves no point farther than this over the step-over.
+SOFT = 0.15
 #: Rings keep within this where a chain goes over from one to another [mm].
 OVER = 0.001
 #: Raster pixels across the cutter.
@@ -257,7 +263,8 @@ class _Walker:
         found = []
         for source in first.before:
             at = zones(source.ring.line, first.ring.line, radius, WIDEST * stepover)
-            found += [(source.ring, float(s)) for s in at]
+            beside = _side_by_side(source.ring, first.ring, at, radius)
+            found += [(source.ring, float(s)) for s in (at[beside] if beside.any() else at)]
         return found
 
     def walk(self, way: int) -> Floats:
@@ -288,6 +295,20 @@ class _Walker:
         return ring.at(place + np.arange(1, count + 1) * ring.length / count)
 
 
+def _side_by_side(source: Ring, target: Ring, starts: Floats, radius: float) -> NDArray[np.bool_]:
+    """Return whether two rings run side by side where one is left for the other at `starts`.
+
+    Where laps part, a ring turns back at its tip and the next one goes on.
+    """
+    length = zone_length(source.line, target.line, radius)
+    at = starts[:, None] + np.linspace(0.0, length, ALONG)
+    onto = target.locate(source.at(at.ravel())).reshape(at.shape)
+    ahead = np.diff(onto, axis=1)
+    ahead = (ahead + target.length / 2) % target.length - target.length / 2
+    step = length / (ALONG - 1)
+    return np.asarray(((ahead > SLOWEST * step) & (ahead < step / SLOWEST)).all(axis=1))
+
+
 def _match(inner: _Node, outer: _Node, move: Mover, spacing: float) -> Match:
     """Return the partners on two rings, along the way in which `move` goes."""
     count = max(48, math.ceil(outer.ring.length / spacing))
@@ -302,7 +323,8 @@ def _passes(
     steps: list[Step], walkers: list[_Walker], region: Polygon, request: PocketRequest
 ) -> list[Pass | Helix | Slot]:
     """Return what is cut in order, with links, lifts and entries."""
-    slack = SLIM * request.tolerance
+    slack, radius = SLIM * request.tolerance, request.cutter_radius
+    soft = SOFT * request.cutting.stepover
     passes: list[Pass | Helix | Slot] = []
     for step in steps:
         walker = walkers[step.run]
@@ -314,10 +336,11 @@ def _passes(
         else:
             passes.append(Pass(simplified(step.link, slack), Role.LINK))
         if not walker.chain[-1].wall:
-            passes.append(Pass(simplified(step.points, slack), Role.CUT))
+            passes.append(Pass(simplified(softened(step.points, radius, soft), slack), Role.CUT))
             continue
         spiral, lap = step.points[: -walker.last], step.points[-walker.last :]
         if len(spiral) > 1:
+            spiral = softened(spiral, radius, soft)
             passes.append(Pass(simplified(spiral, slack), Role.CUT))
         passes.append(Pass(simplified(lap, slack), Role.FINISH))
     leave = leave_wall(steps[-1].points, region, request.cutter_radius)

@@ -17,6 +17,7 @@ from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetErro
 from freecad_spiralpocket.engine.floor import Helix, Pass, Slot
 from freecad_spiralpocket.engine.hermite_quartic import ClosedFit
 from freecad_spiralpocket.engine.isotherms import distances, family_of, mover, points_of
+from freecad_spiralpocket.engine.kinks import softened
 from freecad_spiralpocket.engine.laps import isotherm
 from freecad_spiralpocket.engine.model import Strategy
 from freecad_spiralpocket.engine.planner import plan
@@ -230,6 +231,40 @@ def test_any_convex_pocket_gets_laps_inside_its_region(pocket):
     for part in path.passes:
         if isinstance(part, Pass) and part.role in (Role.CUT, Role.FINISH):
             assert fence.covers(LineString(part.points))
+
+
+def turning(points: np.ndarray) -> np.ndarray:
+    """Return how far a path turns at each of its inner points [deg]."""
+    steps = np.diff(points, axis=0)
+    heading = np.arctan2(*steps[np.hypot(*steps.T) > 1e-6].T[::-1])
+    return np.degrees(np.abs((np.diff(heading) + np.pi) % (2 * np.pi) - np.pi))
+
+
+@pytest.mark.parametrize("pocket", [L_SHAPE, RING, DUMBBELL, TWO_LOBES, TWO_ISLANDS])
+def test_laps_beside_saddles_have_no_sharp_corners(pocket):
+    _, path = path_of(pocket)
+    spirals = [p for p in path.passes if isinstance(p, Pass) and p.role is Role.CUT]
+    assert max(turning(p.points).max() for p in spirals) < 35
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.floats(20, 170), st.floats(0.02, 1.0))
+def test_a_kink_is_spread_and_no_point_moved_too_far(corner, most):
+    s = np.arange(0, 12, 0.2)[:, None]
+    ahead = np.array([math.cos(math.radians(corner)), math.sin(math.radians(corner))])
+    path = np.vstack([np.array([-12, 0]) + s * [1, 0], s * ahead, [12 * ahead]])
+    soft = softened(path, 3.0, most)
+    np.testing.assert_array_equal(soft[[0, -1]], path[[0, -1]])
+    line = LineString(path)
+    assert max(line.distance(Point(p)) for p in soft) <= most
+    if most > 0.6:  # room enough for the widest
+        assert turning(soft).max() < corner / 2
+
+
+def test_a_path_without_kinks_stays_as_it_is():
+    angles = np.linspace(0, 6, 400)
+    arc = 5 * np.column_stack([np.cos(angles), np.sin(angles)])
+    np.testing.assert_array_equal(softened(arc, 3.0, 0.3), arc)
 
 
 def test_too_many_laps_are_refused(monkeypatch):

@@ -30,6 +30,7 @@ from sample_parts import (
 from solid_oracle import Stock, Surface, gouges, places
 
 from freecad_spiralpocket import api
+from freecad_spiralpocket.engine.errors import SpiralPocketError
 from freecad_spiralpocket.op import operation
 
 #: Deepest gouge that may be, into the solid's true surface [mm].
@@ -68,10 +69,17 @@ PARTS = {
 }
 
 
-@pytest.mark.parametrize("name", PARTS)
-def test_nothing_is_gouged_and_only_the_declared_steps_stay(doc, name, record_property):
+#: These refuse islands.
+WITHOUT_ISLANDS = ("Linear Morph", "Central Spiral")
+STRATEGIES = ("Automatic", "Extended Archimedean", "Isotherm", *WITHOUT_ISLANDS)
+CASES = [(n, s) for n in PARTS for s in STRATEGIES if n != "island" or s not in WITHOUT_ISLANDS]
+
+
+@pytest.mark.parametrize(("name", "strategy"), CASES)
+def test_nothing_is_gouged_and_only_the_declared_steps_stay(doc, name, strategy, record_property):
     shape, z, step_down = PARTS[name]()
-    op = cut(doc, shape, z, StepDown=step_down, diameter=TOOL if z == -DEEP else 8.0)
+    diameter = TOOL if z == -DEEP else 8.0
+    op = cut(doc, shape, z, diameter=diameter, StepDown=step_down, Strategy=strategy)
     (plan,) = op.Proxy.plans
     report, radius = plan.report, op.OpToolDiameter.Value / 2
     surface, centers = Surface(shape), places(motion(op), 0.5)
@@ -93,6 +101,13 @@ def test_nothing_is_gouged_and_only_the_declared_steps_stay(doc, name, record_pr
     assert report.rapid_hit == report.link_hit == 0.0
     told = [notice for notice in op.Notices if "keep steps" in notice]
     assert len(told) == (report.step_width > 0)
+
+
+@pytest.mark.parametrize("strategy", WITHOUT_ISLANDS)
+def test_a_drafted_island_is_refused_by_what_cannot_go_round_it(doc, strategy):
+    shape, z, step_down = PARTS["island"]()
+    with pytest.raises(SpiralPocketError, match="cannot go round islands"):
+        cut(doc, shape, z, StepDown=step_down, Strategy=strategy)
 
 
 def test_each_level_follows_the_slopes(doc):
