@@ -72,6 +72,21 @@ def test_draft_stays_where_the_center_may_be_and_ends_at_the_wall(pocket):
     assert room.boundary.buffer(0.1).difference(laps.buffer(0.2)).area < 0.05 * room.length
 
 
+@pytest.mark.parametrize(
+    "pocket", [shapes.SQUARE, shapes.L_SHAPE, shapes.RING, shapely.box(0, 0, 90, 16)]
+)
+@pytest.mark.parametrize("stepover", [0.9, 2.4])
+def test_laps_of_a_draft_are_a_step_apart_at_most(pocket, stepover):
+    request = shapes.request(pocket, cutting=Cutting(stepover=stepover))
+    made = draft(request)
+    room = pocket.buffer(-request.cutter_radius)
+    lines = shapely.multilinestrings([shapely.linestrings(p) for p in made.laps])
+    visited = [shapely.Polygon(p).buffer(0.6 * stepover) for p in made.entries]
+    near = shapely.union_all([lines.buffer(0.6 * stepover), *visited])
+    # what is left are corners
+    assert room.difference(near).area < 0.02 * room.area
+
+
 def test_known_openings_give_the_same_draft_at_any_stepover():
     wide = shapes.request(shapes.RING, cutting=Cutting(stepover=3.0))
     known = draft(wide, openings(shapes.request(shapes.RING)))

@@ -17,16 +17,19 @@ from shapely import Polygon
 from shapely.affinity import scale
 
 from .checks import check_request
-from .fronts import STALLED, FrontRules, engagement_step, largest, oriented
+from .fronts import ROOM, STALLED, FrontRules, engagement_step, largest, oriented
 from .laps import automatic
 from .model import CutMode, Floats, PocketRequest
 from .region import center_regions
 from .starts import candidates
 
 #: Outlines are coarse by this much, over R; chords in a quarter circle.
-COARSE, QUADRANT = 0.02, 6
+COARSE, QUADRANT = 0.02, 4
 #: Most fronts of a region; a draft that needs more shows the inner ones only.
 MOST = 150
+#: Radii with which fronts meet walls, over the rules', and what a lap must add by them, over its
+#: step and R: smaller ones lead out of slim slots and through necks, but not into every corner.
+FILLETS = ((1.0, STALLED), (0.5, 0.5), (0.25, 0.5), (0.1, 0.5))
 #: Parts of a front nearer to the wall than this are no laps, over R.
 ALONG_WALL = 0.03
 
@@ -117,27 +120,33 @@ def _laps(opening: Opening, rules: FrontRules) -> list[Floats]:
     omega = shapely.simplify(opening.omega, coarse)
     visited = largest(shapely.intersection(shapely.simplify(opening.visited, coarse), omega))
     wall = shapely.buffer(omega.boundary, ALONG_WALL * rules.cutter_radius, quad_segs=1)
-    least = STALLED * rules.stepover * rules.cutter_radius
     laps: list[Floats] = []
     for _ in range(MOST):
         grown = _advanced(visited, omega, rules, coarse)
-        if grown.area - visited.area < least:
+        if grown is None:
             break
         laps += _lines(shapely.difference(grown.boundary, wall))
         visited = grown
     return laps + _lines(opening.omega.boundary)
 
 
-def _advanced(visited: Polygon, omega: Polygon, rules: FrontRules, coarse: float) -> Polygon:
-    """Return the visited region after one more lap."""
+def _advanced(visited: Polygon, omega: Polygon, rules: FrontRules, coarse: float) -> Polygon | None:
+    """Return the visited region after one more lap, None if that adds next to nothing."""
     bend = np.array([2 * np.pi / visited.exterior.length])
     step = float(engagement_step(bend, rules)[0])
     closed = shapely.buffer(visited, step + rules.closing, quad_segs=2 * QUADRANT)
     closed = shapely.buffer(closed, -rules.closing, quad_segs=QUADRANT)
     grown = shapely.intersection(closed, omega)
-    opened = shapely.buffer(grown, -rules.fillet, quad_segs=QUADRANT)
-    opened = shapely.buffer(opened, rules.fillet, quad_segs=QUADRANT)
-    return shapely.simplify(largest(shapely.union(opened, visited)), coarse)
+    for share, least in FILLETS:
+        opened = shapely.buffer(grown, -share * rules.fillet, quad_segs=QUADRANT)
+        opened = shapely.buffer(opened, share * rules.fillet, quad_segs=QUADRANT)
+        found = shapely.simplify(largest(shapely.union(opened, visited)), coarse)
+        if found.area - visited.area >= least * rules.stepover * rules.cutter_radius:
+            return found
+        rest = shapely.difference(omega, visited)
+        if shapely.buffer(rest, -ROOM * rules.fillet, quad_segs=2).is_empty:
+            break  # only corners are left
+    return None
 
 
 def _lines(shape: shapely.Geometry) -> list[Floats]:

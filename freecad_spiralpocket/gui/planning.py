@@ -21,8 +21,8 @@ from .tasks import Drawn
 KEPT = 60
 #: Processes that prove; one core is left to the window and the drafts.
 PROVERS = max(1, min(4, (os.cpu_count() or 2) - 1))
-#: Processes that draft, where there are many pockets and cores.
-DRAFTERS = max(1, min(3, (os.cpu_count() or 2) // 2))
+#: Processes that draft, where there are many pockets: proofs and the window wait meanwhile.
+DRAFTERS = max(1, min(3, os.cpu_count() or 2))
 WAIT = 20  # ms, how long Stop may go unheard
 
 drafts = Lane(DRAFTERS)
