@@ -49,20 +49,24 @@ def standing_share(
     level, load, bite = z.copy(), np.zeros(n), np.zeros(n)
     angle, ahead = gaps.angles(n), gaps.contain(n, 0.0)
     heights = _stepped_heights(pieces, top, HEIGHT_STEP * axial_depth)
-    rows, piece = _higher_pairs(samples, angle > 0, pieces, heights, ceiling, r)
+    middle, reach = gaps.surroundings(0, samples.headings, r, np.pi / 2)
+    around = (samples.points[:, :2] + middle.T, reach)
+    rows, piece = _higher_pairs(samples, angle > 0, pieces, heights, ceiling, around)
     pair, low, high = cleared_intervals(samples, rows, piece, pieces, r)
     rows, at = rows[pair], heights[piece[pair]]
-    gaps, _ = gaps.split(np.unique(rows))
+    number = np.full(n, -1)
     for height in np.unique(at):
-        now = at == height
-        touched = np.unique(rows[now])
+        touched = np.unique(rows[at == height])
         rise = height - level[touched]
         load[touched] += angle[touched] * rise
         bite[touched] += ahead[touched] * rise
         level[touched] = height
-        gaps = gaps.without(rows[now], low[now], high[now], np.pi / 2)
-        angle[touched] = gaps.angles(n)[touched]
-        ahead[touched] = gaps.contain(n, 0.0)[touched]
+        number[touched] = np.arange(len(touched))
+        now = np.flatnonzero((at <= height) & (number[rows] >= 0))
+        rest = gaps.repeated(touched).without(number[rows[now]], low[now], high[now], np.pi / 2)
+        angle[touched] = rest.angles(len(touched))
+        ahead[touched] = rest.contain(len(touched), 0.0)
+        number[touched] = -1
     rise = np.maximum(ceiling - level, 0.0)
     return (load + angle * rise) / axial_depth, bite + ahead * rise
 
@@ -73,9 +77,11 @@ def _higher_pairs(
     pieces: Pieces,
     heights: Floats,
     ceiling: Floats,
-    r: float,
+    around: tuple[Floats, Floats],
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Return pairs of sample and earlier piece between the sample's Z and its ceiling.
+
+    Of pieces that come near enough to what stands `around` (see `Gaps.surroundings`) to clear any.
 
     Level by level, because what lies above the ceiling is most of a deep pocket.
     """
@@ -87,7 +93,7 @@ def _higher_pairs(
         mine = asking & (group == height)
         low, high = z[mine].min() + SAME_HEIGHT, ceiling[mine].max() - SAME_HEIGHT
         wanted = (heights > low) & (heights < high)
-        rows, piece = pairs_of(samples, mine, pieces, wanted, r)
+        rows, piece = pairs_of(samples, mine, pieces, wanted, *around)
         true = (z[rows] + SAME_HEIGHT < heights[piece]) & (
             heights[piece] < ceiling[rows] - SAME_HEIGHT
         )

@@ -21,10 +21,10 @@ def point_to_piece(points: Floats, pieces: Pieces, index: NDArray[np.int64]) -> 
 
 def point_to_segment(p: Floats, a: Floats, b: Floats) -> Floats:
     """Return distances of points to segments, all of shape (k, 2) [mm]."""
-    d = b - a
-    square = np.maximum((d * d).sum(axis=1), 1e-30)
-    t = np.clip(((p - a) * d).sum(axis=1) / square, 0.0, 1.0)
-    return np.hypot(*(p - a - t[:, None] * d).T)
+    (dx, dy), (px, py) = (b - a).T, (p - a).T
+    square = np.maximum(dx * dx + dy * dy, 1e-30)
+    t = np.clip((px * dx + py * dy) / square, 0.0, 1.0)
+    return np.hypot(px - t * dx, py - t * dy)
 
 
 def segment_to_segment(a: Floats, b: Floats, c: Floats, d: Floats) -> Floats:

@@ -188,20 +188,14 @@ def uncleared(samples: Samples, pieces: Pieces, r: float, half: float = np.pi / 
 
 def _uncleared_here(hood: Neighbors, samples: Samples, r: float, half: float) -> Gaps:
     """Measure the nearest pieces of a neighborhood first, then those near what still stands."""
-    n = hood.last - hood.first
     here = np.arange(hood.first, hood.last)
     distance = hood.distances()
     near = distance <= NEAR * r
     rows, piece = hood.pairs(near)
     pair, low, high = cleared_intervals(samples, rows, piece, hood.pieces, r)
     gaps = standing(rows[pair], low, high, here, half)
-    first, last = gaps.hull(hood.first, n, half)
-    middle = (first + last) / 2 + samples.headings[here]
-    rim = hood.points + r * np.stack([np.cos(middle), np.sin(middle)])
-    # a piece matters if it is within r of the gap, which is this far from its middle
-    span = 2 * r * np.sin(np.maximum(last - first, 0.0) / 4)
-    reach = np.where(first < last, 1.000001 * (r + span), -1.0)
-    rest = ~near & (distance <= 2 * r) & hood.within(rim, reach)
+    middle, reach = gaps.surroundings(hood.first, samples.headings[here], r, half)
+    rest = ~near & (distance <= 2 * r) & hood.within(hood.points + middle, reach)
     rows, piece = hood.pairs(rest)
     pair, low, high = cleared_intervals(samples, rows, piece, hood.pieces, r)
     return gaps.without(rows[pair], low, high, half)

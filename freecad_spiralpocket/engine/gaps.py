@@ -61,6 +61,34 @@ class Gaps:
         last[self.rims[final] - offset] = self.ends[final]
         return first, last
 
+    def surroundings(
+        self, offset: int, headings: Floats, r: float, half: float
+    ) -> tuple[Floats, Floats]:
+        """Return the middle of the gaps of rims and how near to it a piece must come to clear any.
+
+        Parameters
+        ----------
+        offset : int
+            Of rims `offset` and following.
+        headings : ndarray of shape (n,)
+            [rad]
+        r, half : float
+            Cutter radius [mm]; as in `standing`.
+
+        Returns
+        -------
+        middles : ndarray of shape (2, n)
+            From the cutter center [mm].
+        reach : ndarray of shape (n,)
+            [mm]; negative without gaps.
+        """
+        first, last = self.hull(offset, len(headings), half)
+        middle = (first + last) / 2 + headings
+        # a piece matters if it is within r of the gap, which is this far from its middle
+        span = 2 * r * np.sin(np.maximum(last - first, 0.0) / 4)
+        reach = np.where(first < last, 1.000001 * (r + span), -1.0)
+        return r * np.stack([np.cos(middle), np.sin(middle)]), reach
+
     def without(self, rims: NDArray[np.int64], low: Floats, high: Floats, half: float) -> Gaps:
         """Return what is left when these intervals, given as in `standing`, are cleared too."""
         mine, others = self.split(rims)

@@ -17,6 +17,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from .distances import point_to_segment
 from .model import Floats
 from .sampling import Samples
 from .swept import SAME_HEIGHT, Pieces
@@ -88,7 +89,7 @@ class Neighbors:
         along = cx * ux + cy * uy
         side = ux * cy - uy * cx
         beyond = along - np.clip(along, 0.0, length[:, None])
-        sag = p.radii[i] * (1 - np.cos(p.sweeps[i] / 2))
+        sag = p.sags[i]
         return np.sqrt(side * side + beyond * beyond) - sag[:, None]
 
     def _spread(self, values: Floats) -> Floats:
@@ -120,22 +121,32 @@ def pairs_of(
     asking: NDArray[np.bool_],
     pieces: Pieces,
     wanted: NDArray[np.bool_],
-    cutter_radius: float,
+    places: Floats,
+    reach: Floats,
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return pairs of asking samples and wanted earlier pieces, whose boxes meet within 2 r.
+    """Return pairs of asking samples and wanted earlier pieces that come near a place.
 
     For few pieces, of any height; rapids are left out.
+
+    Parameters
+    ----------
+    places : ndarray of shape (n, 2)
+        Of each sample [mm].
+    reach : ndarray of shape (n,)
+        A piece may be farther from the place than this only by its own bend [mm].
     """
     rows, index = np.flatnonzero(asking), np.flatnonzero(wanted & ~pieces.rapid)
     if len(rows) == 0 or len(index) == 0:
         return rows[:0], index[:0]
-    tree = shapely.STRtree(shapely.points(samples.points[rows, :2]))
-    box = pieces.bounds[index]
-    reach = 2 * cutter_radius
-    piece, row = tree.query(shapely.box(*(box[:, :2] - reach).T, *(box[:, 2:] + reach).T))
+    tree = shapely.STRtree(shapely.points(places[rows]))
+    box, most = pieces.bounds[index], reach[rows].max()
+    piece, row = tree.query(shapely.box(*(box[:, :2] - most).T, *(box[:, 2:] + most).T))
     row, piece = rows[row], index[piece]
     earlier = piece < samples.pieces[row]
-    return row[earlier], piece[earlier]
+    row, piece = row[earlier], piece[earlier]
+    to_chord = point_to_segment(places[row], pieces.starts[piece], pieces.ends[piece])
+    near = to_chord - pieces.sags[piece] <= reach[row]
+    return row[near], piece[near]
 
 
 def _portion(

@@ -81,9 +81,14 @@ class Pieces:
         return np.where(self.is_arc, self.radii * np.abs(self.sweeps), flat)
 
     @property
+    def sags(self) -> Floats:
+        """Return how far arcs rise above their chords, shape (n,) [mm]; 0 for lines."""
+        return self.radii * (1 - np.cos(self.sweeps / 2))
+
+    @property
     def bounds(self) -> Floats:
         """Return bounding boxes (xmin, ymin, xmax, ymax), shape (n, 4) [mm]."""
-        sag = (self.radii * (1 - np.cos(self.sweeps / 2)))[:, None]
+        sag = self.sags[:, None]
         low = np.minimum(self.starts, self.ends) - sag
         high = np.maximum(self.starts, self.ends) + sag
         return np.hstack([low, high])
