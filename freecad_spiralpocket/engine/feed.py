@@ -119,10 +119,11 @@ def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> To
     follows = _follows(toolpath.roles, rules.mode)
     least = LEAST_RUN * rules.cutter_radius if rules.least_run is None else rules.least_run
     stations, ratios = _allowed_ratios(toolpath, engagement, rules)
-    ends = ends_of(toolpath)
+    lengths = toolpath.lengths
+    ends = np.cumsum(lengths)
     cuts, rungs = [], []
     for first, last in _stretches(follows):
-        span = (ends[first] - toolpath.lengths[first], ends[last])
+        span = (ends[first] - lengths[first], ends[last])
         edges, allowed = _steps_between(stations, ratios, *span)
         levels = np.floor(np.log(allowed * (1 + DEAD_BAND)) / np.log(RUNG)).astype(np.int64)
         edges, levels = lengthen_runs(edges, levels, least, RUNG)

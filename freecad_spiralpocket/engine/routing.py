@@ -29,6 +29,8 @@ SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5)
 #: A step along the edge of free ground counts as longer by this share; farther from it by that
 #: over the number of cells, up to so many.
 EDGE_TOLL, OFF = 0.5, 6
+#: So much longer than it is every step counts at least.
+LEAST_TOLL = 1.0 + EDGE_TOLL / OFF
 #: Steps to the cells around one, and their lengths.
 NEIGHBORS = tuple(
     (dr, dc, math.hypot(dr, dc)) for dr in (-1, 0, 1) for dc in (-1, 0, 1) if dr or dc
@@ -147,7 +149,7 @@ def _cheapest(tolls: list[float], columns: int, source: int, target: int) -> lis
             cost = gone[cell] + step * (1.0 + max(tolls[cell], tolls[other]))
             if cost < gone.get(other, math.inf):
                 gone[other], before[other] = cost, cell
-                ahead = math.hypot(row - r - dr, column - c - dc)
+                ahead = LEAST_TOLL * math.hypot(row - r - dr, column - c - dc)
                 heapq.heappush(heap, (cost + ahead, other))
     return None
 

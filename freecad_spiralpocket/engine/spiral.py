@@ -83,12 +83,17 @@ def zone_length(lap: LineString, target: LineString, radius: float) -> float:
     return min(BLEND * radius, 0.4 * lap.length, 0.4 * target.length)
 
 
-def gaps(lap: LineString, target: LineString, starts: Floats, length: float) -> Floats:
-    """Return the widest gap to `target` in the zone of `length` that begins at each of `starts`."""
+def gaps(
+    lap: LineString, target: LineString, starts: Floats, length: float, within: float = np.inf
+) -> Floats:
+    """Return the widest gap to `target` in the zone of `length` that begins at each of `starts`.
+
+    Infinite where it is wider than `within` [mm].
+    """
     at = (starts[:, None] + np.linspace(0.0, length, 7)) % lap.length
     points = points_at(lap, at.ravel())
     chords = shapely.get_coordinates(shapely.segmentize(target, CHORD))
-    return nearest(chords, points)[0].reshape(at.shape).max(axis=1)
+    return nearest(chords, points, within)[0].reshape(at.shape).max(axis=1)
 
 
 def zones(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
@@ -98,10 +103,10 @@ def zones(lap: LineString, target: LineString, radius: float, widest: float) -> 
     where there is none.
     """
     starts = np.linspace(0.0, lap.length, max(12, int(lap.length / radius)), endpoint=False)
-    widths = np.round(gaps(lap, target, starts, zone_length(lap, target, radius)), 3)
-    good = np.flatnonzero(widths <= widest)
+    length = zone_length(lap, target, radius)
+    good = np.flatnonzero(np.round(gaps(lap, target, starts, length, 1.01 * widest), 3) <= widest)
     if len(good) == 0:
-        return starts[[int(np.argmin(widths))]]
+        return starts[[int(np.argmin(np.round(gaps(lap, target, starts, length), 3)))]]
     return starts[good[np.unique(np.linspace(0, len(good) - 1, ZONES).astype(int))]]
 
 
