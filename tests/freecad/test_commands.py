@@ -48,7 +48,7 @@ def test_arcs_are_given_by_their_center_from_the_rounded_start(ccw, name):
         ("line", start, FEED, Role.CUT), ("arc", (2 / 3, 1, 4), (0.5, 0.5), ccw, FEED, Role.CUT)
     )[-1]
     assert made.Name == name
-    x, y = 0.3333 + made.Parameters["I"], made.Parameters["J"]
+    x, y = round(1 / 3, commands.DECIMALS) + made.Parameters["I"], made.Parameters["J"]
     assert (x, y) == pytest.approx((0.5, 0.5), abs=1e-9)
 
 

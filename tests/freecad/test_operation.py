@@ -24,7 +24,12 @@ from sample_parts import (
 
 from freecad_spiralpocket import api
 from freecad_spiralpocket.op import operation, properties
-from freecad_spiralpocket.op.compat import parent_job
+from freecad_spiralpocket.op.compat import IS_LEGACY, parent_job
+
+if IS_LEGACY:
+    from PathScripts import PathGeom
+else:
+    import Path.Geom as PathGeom
 
 #: How far a pole of the exact curve may lie from where the document keeps it [mm].
 SAVED = 1e-6
@@ -55,6 +60,15 @@ def test_the_path_uses_only_what_all_posts_understand(op):
     assert all({"X", "Y", "Z"} <= set(c.Parameters) for c in moves)
     assert all({"I", "J"} <= set(c.Parameters) for c in moves if c.Name in ("G2", "G3"))
     assert all(c.Parameters["F"] > 0 for c in moves if c.Name != "G0")
+
+
+@pytest.mark.parametrize("strategy", ["Automatic", "Linear Morph"])
+def test_the_path_joins_to_one_wire(doc, strategy):
+    """Dressups do that: the end of a helical arc must be where the next move begins."""
+    job, part, face = small_job(doc)
+    made = api.add_spiral_pocket(job, [(part, [face])], Strategy=strategy)
+    wire, *_ = PathGeom.wireForPath(made.Path)
+    assert wire.isValid() and len(wire.Edges) >= len(motion(made)) - 2
 
 
 def test_no_move_of_the_path_goes_nowhere(op):
