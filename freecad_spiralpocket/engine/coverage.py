@@ -25,6 +25,9 @@ from .swept import SAME_HEIGHT, Pieces
 #: Chords in a quarter circle of what can be reached and of what is swept: off by 8e-5 and by
 #: 3e-4 of the radius; EXACT is more than both.
 REACH_QUADRANT, SWEPT_QUADRANT, EXACT = 64, 32, 5e-4
+#: What is beside a move is taken to reach so much beyond its ends, over the radius, so that no
+#: slits stay between moves: all of it is within 2e-6 of the radius of what is swept.
+BEYOND = 2e-3
 #: Arcs become chords and straight chains single lines no farther off than this [mm].
 CHORD_TOLERANCE = 1e-4
 #: The rough picture: motion simplified by this share of the radius and grown by that one.
@@ -68,23 +71,46 @@ def uncut_floor(
     rough = _roughly_swept(deep, radius)
     doubtful = shapely.get_parts(wanted.difference(rough))
     lines = _segments(chains)
-    lines = lines[_near(doubtful, lines, radius)]
-    arcs = arcs.select(_near(doubtful, polylines(arcs), radius))
+    near, arcs = _near(doubtful, lines, arcs, radius)
+    # the ground beside all motion is nearly everything, and simpler than that around its ends
+    sides = np.concatenate([_rectangles(near, radius), _sectors(arcs, radius)])
+    doubtful = _without(doubtful, sides)
+    if len(doubtful) == 0:
+        return MultiPolygon()
+    near, arcs = _near(doubtful, near, arcs, radius)
     drilled = deep.select(deep.lengths == 0).ends
     tips = shapely.points(np.concatenate([arcs.starts, arcs.ends, drilled]))
-    rounds = shapely.buffer(np.concatenate([lines, tips]), radius, quad_segs=SWEPT_QUADRANT)
-    swept = [rounds, _sectors(arcs, radius)]
-    return _polygons(
-        shapely.union_all(doubtful).difference(shapely.union_all(np.concatenate(swept)))
-    )
+    rounds = shapely.buffer(np.concatenate([near, tips]), radius, quad_segs=SWEPT_QUADRANT)
+    return MultiPolygon(list(_without(doubtful, rounds)))
+
+
+def _without(areas: NDArray[np.object_], taken: NDArray[np.object_]) -> NDArray[np.object_]:
+    """Return the polygons that are left of areas without what is taken."""
+    rest = shapely.difference(shapely.union_all(areas), shapely.union_all(taken))
+    parts = shapely.get_parts(rest)
+    return parts[shapely.get_type_id(parts) == shapely.GeometryType.POLYGON]
 
 
 def _near(
-    areas: NDArray[np.object_], lines: NDArray[np.object_], radius: float
-) -> NDArray[np.int64]:
-    """Return which lines come within the radius of any of the areas."""
-    tree = shapely.STRtree(lines)
-    return np.unique(tree.query(areas, predicate="dwithin", distance=radius)[1])
+    areas: NDArray[np.object_], lines: NDArray[np.object_], arcs: Pieces, radius: float
+) -> tuple[NDArray[np.object_], Pieces]:
+    """Return the lines and arcs that come within the radius of any of the areas."""
+    tree = shapely.STRtree(np.concatenate([lines, polylines(arcs)]))
+    near = np.unique(tree.query(areas, predicate="dwithin", distance=radius)[1])
+    split = np.searchsorted(near, len(lines))
+    return lines[near[:split]], arcs.select(near[split:] - len(lines))
+
+
+def _rectangles(lines: NDArray[np.object_], radius: float) -> NDArray[np.object_]:
+    """Return the rectangle beside each single line."""
+    if len(lines) == 0:
+        return np.zeros(0, object)
+    ends = shapely.get_coordinates(lines).reshape(-1, 2, 2)
+    ahead = ends[:, 1] - ends[:, 0]
+    ahead = ahead / np.maximum(np.hypot(*ahead.T), 1e-12)[:, None]
+    over, left = BEYOND * radius * ahead, radius * np.column_stack([-ahead[:, 1], ahead[:, 0]])
+    a, b = ends[:, 0] - over, ends[:, 1] + over
+    return shapely.polygons(np.stack([a - left, b - left, b + left, a + left], axis=1))
 
 
 def _chains(pieces: Pieces) -> NDArray[np.object_]:
@@ -114,9 +140,10 @@ def _sectors(arcs: Pieces, radius: float) -> NDArray[np.object_]:
     if len(arcs) == 0:
         return np.zeros(0, object)
     inner, outer = np.maximum(arcs.radii - radius, 0.0), arcs.radii + radius
+    over = np.copysign(BEYOND * radius / outer, arcs.sweeps)
     n = _chord_counts(outer, arcs.sweeps) + 1
     row, part = _rows(n)
-    turn = arcs.angles[row] + arcs.sweeps[row] * part / (n[row] - 1)
+    turn = (arcs.angles - over)[row] + (arcs.sweeps + 2 * over)[row] * part / (n[row] - 1)
     spoke = np.column_stack([np.cos(turn), np.sin(turn)])
     points = arcs.centers[row] + outer[row, None] * spoke
     back = arcs.centers[row] + inner[row, None] * spoke
