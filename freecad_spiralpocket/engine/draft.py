@@ -119,6 +119,7 @@ def _laps(opening: Opening, rules: FrontRules) -> list[Floats]:
     coarse = COARSE * rules.cutter_radius
     omega = shapely.simplify(opening.omega, coarse)
     visited = largest(shapely.intersection(shapely.simplify(opening.visited, coarse), omega))
+    shapely.prepare(omega)
     wall = shapely.buffer(omega.boundary, ALONG_WALL * rules.cutter_radius, quad_segs=1)
     laps: list[Floats] = []
     for _ in range(MOST):
@@ -134,8 +135,10 @@ def _advanced(visited: Polygon, omega: Polygon, rules: FrontRules, coarse: float
     """Return the visited region after one more lap, None if that adds next to nothing."""
     bend = np.array([2 * np.pi / visited.exterior.length])
     step = float(engagement_step(bend, rules)[0])
-    closed = shapely.buffer(visited, step + rules.closing, quad_segs=2 * QUADRANT)
+    closed = shapely.buffer(visited, step + rules.closing, quad_segs=QUADRANT)
     closed = shapely.buffer(closed, -rules.closing, quad_segs=QUADRANT)
+    if shapely.contains_properly(omega, closed):
+        return shapely.simplify(largest(closed), coarse)
     grown = shapely.intersection(closed, omega)
     for share, least in FILLETS:
         opened = shapely.buffer(grown, -share * rules.fillet, quad_segs=QUADRANT)

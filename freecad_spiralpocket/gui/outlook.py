@@ -27,9 +27,10 @@ from .tasks import Drawn
 if TYPE_CHECKING:
     from ..engine.draft import Draft
 
-SOON = 15  # ms after a change until it is looked at, so that several changes are one
+SOON = 8  # ms after a change until it is looked at, so that several changes are one
 QUIET = 300  # ms without a change after which proofs begin
-TOGETHER = 150  # ms, so long drafts of some pockets wait for those of the others: the window
+AGAIN = 50  # ms, how often is asked whether the drafts are done
+TOGETHER = 250  # ms, so long drafts of some pockets wait for those of the others: the window
 # draws once, which takes longer than a draft
 MOST_SHAPES = 500  # that are kept
 
@@ -162,7 +163,10 @@ class Outlook:
         planning.proofs.warm_up()
 
     def _prove(self) -> None:
-        """Let the proofs begin, the small pockets first."""
+        """Let the proofs begin, the small pockets first, when the drafts leave them a core."""
+        if not all(p.is_drafted or p.is_settled for p in self.pockets):
+            self._quiet.start(AGAIN)
+            return
         for pocket in sorted(self.pockets, key=lambda p: p.request.pocket.area):
             pocket.prove()
         self.tell()

@@ -93,7 +93,7 @@ class DraftItem:
         ):
             if lines:
                 vertices = np.concatenate([np.column_stack([p, np.full(len(p), z)]) for p in lines])
-                node = _Lines(vertices, np.tile(color, (len(vertices), 1)), width)
+                node = _Lines(vertices, np.array([color]), width)
                 node.cut_into(np.array([len(p) for p in lines]))
                 self.root.addChild(node.root)
 
@@ -164,7 +164,7 @@ class Cutter:
 
 
 class _Lines:
-    """A line set with a color for each vertex."""
+    """A line set with a color for each vertex, or one for all."""
 
     def __init__(self, vertices: Floats, rgb: Floats, width: float, dashes: int = 0xFFFF) -> None:
         self.root = coin.SoSeparator()
@@ -172,7 +172,9 @@ class _Lines:
         style.lineWidth, style.linePattern = width, dashes
         self._property = coin.SoVertexProperty()
         self._property.vertex.setValues(0, len(vertices), vertices.astype(np.float32))
-        self._property.materialBinding = coin.SoMaterialBinding.PER_VERTEX
+        self._property.materialBinding = (
+            coin.SoMaterialBinding.OVERALL if len(rgb) == 1 else coin.SoMaterialBinding.PER_VERTEX
+        )
         self.color(rgb)
         self._set = coin.SoLineSet()
         self._set.vertexProperty = self._property
@@ -180,7 +182,7 @@ class _Lines:
         self.root.addChild(self._set)
 
     def color(self, rgb: Floats) -> None:
-        """Set the color of each vertex."""
+        """Set the color of each vertex, or that of all."""
         self._property.orderedRGBA.setValues(0, len(rgb), colors.packed(rgb).tolist())
 
     def cut_into(self, counts: NDArray[np.int64]) -> None:
