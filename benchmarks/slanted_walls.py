@@ -4,20 +4,26 @@
 After Chatelain et al. 2008, section 3.2: a floor of 100 x 60 mm, corners of 10 mm, walls of
 10, 15, 20 and 30 degrees, with a drafted island. Their figure 19 cuts down inside the floor's
 outline and leaves all stock above the slopes; figure 20 follows the slopes. Printed for
-several step downs: levels, planning and machine time, what stays on the walls. With a file
+several step downs and for every strategy: levels, planning and machine time, what stays on the
+walls, and how deep the cutter gets into them: in 3D, against the walls themselves at the height
+of each place of the path. Strategies that refuse islands cut the pocket without it. With a file
 name as argument the levels are drawn there.
 """
 
+import json
 import math
 import sys
 import time
 
 import numpy as np
+import shapely
 from shapely import Point, Polygon, box
 
 from freecad_spiralpocket.engine import PocketRequest, plan
+from freecad_spiralpocket.engine.errors import SpiralPocketError
 from freecad_spiralpocket.engine.levels import floors, levels_of
-from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, Section
+from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, Plan, Section, Strategy
+from freecad_spiralpocket.engine.toolpath import Kind
 
 WIDTH, HEIGHT, RADIUS, DEPTH = 100.0, 60.0, 10.0, 24.0  # mm
 ANGLES = (10.0, 15.0, 20.0, 30.0)  # of the walls at low X, high X, low Y, high Y [deg]
@@ -26,24 +32,32 @@ TOOL, STEPOVER = 12.0, 0.4
 FEEDS = Feeds(50.0, 12.5, 83.0, 83.0)
 STEP_DOWNS = (24.0, 12.0, 6.0, 3.0)
 DRAWN = 6.0
+#: Places along the path, and heights on its ramps, are so far apart [mm].
+STEP, RAMP = 0.2, 0.1
 #: A smaller engagement is none [deg].
 UNLOADED = 1.0
 
 
-def free_at(z: float) -> Polygon:
-    """Return what the part leaves free at height `z`."""
+def free_at(z: float, island: bool = True) -> Polygon:
+    """Return what the part leaves free at height `z`, with or without its island."""
     left, right, front, back = ((z + DEPTH) * math.tan(math.radians(a)) for a in ANGLES)
     outer = box(-left, -front, WIDTH + right, HEIGHT + back)
+    outer = outer.buffer(-RADIUS).buffer(RADIUS, quad_segs=64)
     low, high = ISLAND_RADII
-    island = Point(ISLAND).buffer(low + (high - low) * (z + DEPTH) / DEPTH, quad_segs=64)
-    return outer.buffer(-RADIUS).buffer(RADIUS, quad_segs=64).difference(island)
+    radius = low + (high - low) * (z + DEPTH) / DEPTH
+    return outer.difference(Point(ISLAND).buffer(radius, quad_segs=64)) if island else outer
 
 
-def request(step_down: float, slanted: bool = True) -> PocketRequest:
+def request(
+    step_down: float,
+    slanted: bool = True,
+    strategy: Strategy = Strategy.AUTOMATIC,
+    island: bool = True,
+) -> PocketRequest:
     """Return the request, by the walls' sections or by the floor's outline alone."""
     heights = Heights(15.0, 3.0, 0.0, -DEPTH, step_down)
     tops = [0.0, *floors(heights)]
-    shapes = [free_at(z) for z in tops]
+    shapes = [free_at(z, island) for z in tops]
     sections = zip(tops[1:], shapes[1:], shapes[:-1], strict=True)
     return PocketRequest(
         shapes[-1],
@@ -51,38 +65,103 @@ def request(step_down: float, slanted: bool = True) -> PocketRequest:
         heights,
         FEEDS,
         Cutting(STEPOVER * TOOL),
+        strategy=strategy,
         sections=tuple(Section(*each) for each in sections) if slanted else (),
     )
 
 
-def stock_left(wanted: PocketRequest) -> float:
+def stock_left(wanted: PocketRequest, island: bool = True) -> float:
     """Return the volume that stays above the slopes [mm3]."""
     left = 0.0
     for level in levels_of(wanted):
         middles = np.linspace(level.bottom, level.top, 21)
-        areas = [free_at(z).area - level.pocket.area for z in middles]
+        areas = [free_at(z, island).area - level.pocket.area for z in middles]
         left += (level.top - level.bottom) * float(np.mean(areas))
     return left
 
 
-def main() -> None:
-    """Print the table; draw the levels if asked."""
+def depth_in_walls(made: Plan, island: bool) -> float:
+    """Return how far the cutter gets into the walls, looked at along the whole path in 3D [mm].
+
+    No wall leans over the floor, so at each place the walls are nearest at the cutter's tip. On
+    ramps they are taken from a little farther down.
+    """
+    stations, worst = [], 0.0
+    path = made.toolpath
+    for kind, start, end, center in zip(
+        path.kinds, path.starts, path.points, path.centers, strict=True
+    ):
+        if start[2] >= 0 and end[2] >= 0:
+            continue
+        stations.append(places(Kind(kind), start, end, center))
+    points = np.vstack(stations)
+    points = points[points[:, 2] < -1e-9]
+    levels = np.array([level.bottom for level in levels_of(made.request)])
+    flat = np.abs(points[:, 2][:, None] - levels).min(axis=1) < 1e-6
+    heights = np.where(flat, points[:, 2], np.floor(points[:, 2] / RAMP) * RAMP)
+    for z in np.unique(np.round(heights, 6)):
+        here = shapely.points(points[np.abs(heights - z) < 1e-5, :2])
+        walls = free_at(max(z, -DEPTH), island)
+        shapely.prepare(walls.boundary)
+        off = shapely.distance(walls.boundary, here)
+        off = np.where(shapely.contains(walls, here), off, -off)
+        worst = max(worst, TOOL / 2 - float(off.min()))
+    return worst
+
+
+def places(kind: Kind, start: np.ndarray, end: np.ndarray, center: np.ndarray) -> np.ndarray:
+    """Return places along a move, shape (n, 3) [mm]."""
+    u, v = start[:2] - center, end[:2] - center
+    turn, length = 0.0, float(np.linalg.norm(end - start))
+    if kind in (Kind.ARC_CW, Kind.ARC_CCW):
+        side = 1 if kind is Kind.ARC_CCW else -1
+        angle = side * math.atan2(u[0] * v[1] - u[1] * v[0], u @ v) % (2 * math.pi)
+        turn = side * (angle or 2 * math.pi)
+        length = abs(turn) * float(np.hypot(*u))
+    share = np.linspace(0.0, 1.0, math.ceil(length / STEP) + 1)[:, None]
+    found = start + share * (end - start)
+    if turn:
+        angle = math.atan2(u[1], u[0]) + share[:, 0] * turn
+        found[:, :2] = center + np.hypot(*u) * np.column_stack([np.cos(angle), np.sin(angle)])
+    return found
+
+
+def row(name: str, wanted: PocketRequest, island: bool = True) -> float:
+    """Print what comes of a request; return how far the cutter gets into the walls [mm]."""
+    start = time.process_time()
+    made = plan(wanted)
+    seconds, report = time.process_time() - start, made.report
+    deep = depth_in_walls(made, island)
     print(
-        f"{'step down':>10} {'cut by':>8} {'levels':>6} {'planned':>8} {'machine':>8} "
-        f"{'steps':>14} {'left':>9} {'gouge':>7}"
+        f"{name:>32} {len(levels_of(wanted)):6d} {seconds:6.1f} s {report.time:6.0f} s "
+        f"{report.step_width:4.1f} x {report.step_height:4.1f} mm "
+        f"{stock_left(wanted, island) / 1000:5.1f} cm3 {deep:6.4f} mm",
+        flush=True,
+    )
+    return deep
+
+
+def main() -> None:
+    """Print the tables, then one JSON object; draw the levels if asked."""
+    print(
+        f"{'':>32} {'levels':>6} {'planned':>8} {'machine':>8} {'steps':>14} {'left':>9} "
+        f"{'in walls':>9}"
     )
     for slanted in (False, True):
         for step_down in STEP_DOWNS:
-            wanted = request(step_down, slanted)
-            start = time.process_time()
-            made = plan(wanted)
-            seconds, report = time.process_time() - start, made.report
-            print(
-                f"{step_down:7.1f} mm {'sections' if slanted else 'floor':>8} "
-                f"{len(levels_of(wanted)):6d} {seconds:6.1f} s {report.time:6.0f} s "
-                f"{report.step_width:4.1f} x {report.step_height:4.1f} mm "
-                f"{stock_left(wanted) / 1000:5.1f} cm3 {report.gouge:5.3f} mm"
+            row(
+                f"{step_down:.0f} mm, by {'sections' if slanted else 'the floor'}",
+                request(step_down, slanted),
             )
+    found = {}
+    for strategy in Strategy:
+        for island in (True, False):
+            name = f"{strategy.value}, {'island' if island else 'no island'}"
+            try:
+                found[name] = round(row(name, request(DRAWN, True, strategy, island), island), 4)
+            except SpiralPocketError as error:
+                print(f"{name:>32} refused: {error.message}")
+    print(json.dumps({"depth_in_walls_mm": found, "largest_mm": max(found.values())}))
     if len(sys.argv) > 1:
         draw(sys.argv[1])
 
