@@ -37,8 +37,9 @@ DEVIATION, LARGEST_DEVIATION = 0.04, 0.5
 #: It is halved so often until laps do not cross themselves.
 HALVINGS = 3
 #: Between the points that are fitted a lap may be so much farther from its isotherm, and where it
-#: keeps inside of the one before; one in so many of its points is looked at.
-FARTHER, SOME = 1.5, 3
+#: keeps inside of the one before, and by so much more over the grid's spacing, as the contour's
+#: chords cut its bends; one in so many of its points is looked at.
+FARTHER, BULGE, SOME = 1.5, 0.1, 3
 #: The last lap keeps off the wall by this [mm].
 INSET = 0.01
 #: It is refitted within these shares of that, the first that keeps off; about so long are its
@@ -270,7 +271,7 @@ def _nested(family: Family, part: Polygon, room: Room) -> tuple[Polygon, int]:
         inside = [lap]
         if not room.region.contains(lap):
             inside = polygons_of(shapely.intersection(lap, room.region))
-        if _is_all_of(part, inside, bound):
+        if _is_all_of(part, inside, FARTHER * bound + BULGE * family.field.spacing):
             return oriented(inside[0]), guess
     return part, room.patches
 
@@ -284,7 +285,7 @@ def _is_all_of(part: Polygon, inside: list[Polygon], bound: float) -> bool:
     line = part.boundary
     shapely.prepare(line)
     places = shapely.points(points_of(inside[0])[::SOME])
-    return bool(shapely.dwithin(line, places, FARTHER * bound).all())
+    return bool(shapely.dwithin(line, places, bound).all())
 
 
 def refitted(part: Polygon, deviation: float, guess: int = 8) -> tuple[Polygon, int]:
