@@ -37,7 +37,9 @@ from window import (  # noqa: E402
     widget,
 )
 
-SIZE = 1280, 860  # of the window
+from freecad_spiralpocket.gui.previewscene import DraftItem  # noqa: E402
+
+SIZE = 1280, 1130  # of the window
 PANEL_WIDTH = 370  # of the task panel
 FOLDER = Path(os.environ["SPIRALPOCKET_OUT"])
 
@@ -81,13 +83,9 @@ def dock_tasks():
     """Let the task panel stand beside the 3D view, where FreeCAD 1.0 and later lay it over it."""
     window = main_window()
     docks = {dock.objectName(): dock for dock in window.findChildren(QtGui.QDockWidget)}
-    for name in ("OverlayLeft", "OverlayRight"):
-        group = FreeCAD.ParamGet(f"User parameter:BaseApp/MainWindow/DockWindows/{name}")
-        print(name, group.GetString("Widgets"))
     if "Std_DockOverlayAll" in FreeCADGui.listCommands():
         FreeCADGui.runCommand("Std_DockOverlayAll")
     pump(0.5)
-    print({n: (d.parent().objectName(), d.isVisible()) for n, d in docks.items()})
     tasks = docks.get("Tasks")
     if tasks is not None:
         window.addDockWidget(QtCore.Qt.RightDockWidgetArea, tasks)
@@ -132,7 +130,10 @@ def open_panel(name):
     job.Stock.ViewObject.Visibility = False
     wait_for(is_settled, 120)
     view = FreeCADGui.getDocument(document.Name).ActiveView
+    pump(0.5)
     view.fitAll()
+    FreeCADGui.runCommand("Std_ViewZoomIn")
+    FreeCADGui.runCommand("Std_ViewZoomIn")
     show_from_top(widget("strategy"))
     return job
 
@@ -168,17 +169,12 @@ def take(pictures):
     job = open_panel("islands3")
     pictures.whole("panel")
     widget("advanced").setChecked(True)
-    for name, shown in (
-        ("page", page().form),
-        ("box", page().preview.box),
-        ("result", page().result_box.box),
-    ):
-        pictures.of(name, shown)
+    pictures.of("page", page().form)
     widget("advanced").setChecked(False)
     show_from_top(page().preview.box)
     pictures.whole("preview")
     widget("stepOverPercent").setValue(30)
-    wait_for(lambda: all(p.is_drafted for p in page().outlook.pockets), 20)
+    wait_for(lambda: all(isinstance(i, DraftItem) for i in page().preview._items.values()), 20)
     pictures.whole("draft")
     widget("stepOverPercent").setValue(40)
     wait_for(is_settled, 60)

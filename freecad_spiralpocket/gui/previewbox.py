@@ -16,6 +16,7 @@ translate = FreeCAD.Qt.translate
 
 STEPS = 1000  # of the slider
 FRAME = 40  # ms
+PLAY, PAUSE = "\N{BLACK RIGHT-POINTING TRIANGLE}", "\N{HEAVY VERTICAL BAR}" * 2
 PLAY_TIME = 12.0  # s, how long the whole cut plays
 
 
@@ -53,6 +54,7 @@ class PreviewBox(QtGui.QWidget):
         self.bar = ColorBar()
         self.play = QtGui.QToolButton()
         self.play.setCheckable(True)
+        self.play.setMinimumWidth(2 * self.play.fontMetrics().height())
         self.play.setToolTip(translate("SpiralPocket", "Play the cut"))
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setRange(0, STEPS)
@@ -111,8 +113,7 @@ class PreviewBox(QtGui.QWidget):
             self.clock.setText("")
 
     def _show_playing(self, plays: bool) -> None:
-        icons = QtGui.QStyle.SP_MediaPause if plays else QtGui.QStyle.SP_MediaPlay
-        self.play.setIcon(self.style().standardIcon(icons))
+        self.play.setText(PAUSE if plays else PLAY)  # not the style's icons: black in dark themes
         if plays:
             if self.slider.value() == STEPS:
                 self.slider.setValue(0)
