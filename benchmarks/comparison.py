@@ -52,7 +52,7 @@ STEP_OVER = 40  # percent of the cutter's diameter
 FEED, RAPID = 3000 / 60, 5000 / 60  # mm/s
 #: Presets whose times are shown; strategies plan for the first.
 MACHINES = {"vmc": "VMC", "hobby_router": "router", "ucp710": "UCP710"}
-#: One strategy may plan all pockets of a shape for so long [s].
+#: One strategy may plan all pockets of a shape for so long, in CPU time [s].
 LONGEST = 150.0
 #: Outlines become lines and arcs that keep this near to them [mm].
 FITTED = 0.001
@@ -137,10 +137,10 @@ def request_of(job: Any, face: str) -> PocketRequest:
 
 def planned(strategy: Strategy, job: Any, requests: dict[str, PocketRequest]) -> list[Plan]:
     """Return the plans of all pockets by one strategy."""
-    until = time.monotonic() + LONGEST
+    until = time.process_time() + LONGEST
 
     def late(done: float, stage: str) -> bool:
-        return time.monotonic() > until
+        return time.process_time() > until
 
     return [plan(replace(r, strategy=strategy), late) for r in requests.values()]
 
