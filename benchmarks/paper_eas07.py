@@ -169,7 +169,8 @@ def pieces(link: ClothoidPath) -> list[tuple[np.ndarray, np.ndarray]]:
     found = []
     joints = link.joints
     for a, b in pairwise(joints):
-        h = min(STEP, (b - a) / 40, STEP / (1 + np.abs(link.curvatures).max()))
+        # the places about one are apart from those about the next
+        h = min(STEP, (b - a) / 100, STEP / (1 + np.abs(link.curvatures).max()))
         s = np.linspace(a + 2 * h, b - 2 * h, 21)
         around = link.points_at(np.sort((s[:, None] + h * np.arange(-2, 3)).ravel()))
         p = around.reshape(len(s), 5, 2) - around[10:11]
