@@ -879,6 +879,10 @@
         <translation>Einen breiteren Fräser oder eine größere Zustellung nehmen.</translation>
     </message>
     <message>
+        <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
+        <translation>Der Fräser taucht bei {at} ein, {0} mm vom Startpunkt entfernt: Näher kann {1} nicht beginnen.</translation>
+    </message>
+    <message>
         <source>The cutter goes {0} mm below the floor.</source>
         <translation>Der Fräser geht {0} mm unter den Boden.</translation>
     </message>
@@ -997,6 +1001,10 @@
     <message>
         <source>The start point is not a place.</source>
         <translation>Der Startpunkt ist kein Ort.</translation>
+    </message>
+    <message>
+        <source>The strategy Automatic begins anywhere with room for a helix.</source>
+        <translation>Die Strategie Automatisch beginnt überall, wo Platz für eine Helix ist.</translation>
     </message>
     <message>
         <source>The wall at {at} cannot be cut at Z{0}: {1}.</source>

@@ -879,6 +879,10 @@
         <translation>Tome una fresa mayor o un paso lateral mayor.</translation>
     </message>
     <message>
+        <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
+        <translation>La fresa baja en {at}, a {0} mm del punto de inicio: {1} no puede empezar más cerca.</translation>
+    </message>
+    <message>
         <source>The cutter goes {0} mm below the floor.</source>
         <translation>La fresa baja {0} mm por debajo del fondo.</translation>
     </message>
@@ -997,6 +1001,10 @@
     <message>
         <source>The start point is not a place.</source>
         <translation>El punto de inicio no es un lugar.</translation>
+    </message>
+    <message>
+        <source>The strategy Automatic begins anywhere with room for a helix.</source>
+        <translation>La estrategia Automático empieza en cualquier lugar con sitio para una hélice.</translation>
     </message>
     <message>
         <source>The wall at {at} cannot be cut at Z{0}: {1}.</source>

@@ -879,6 +879,10 @@
         <translation>Prenez une fraise plus grosse ou un pas plus grand.</translation>
     </message>
     <message>
+        <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
+        <translation>La fraise descend en {at}, à {0} mm du point de départ : {1} ne peut pas commencer plus près.</translation>
+    </message>
+    <message>
         <source>The cutter goes {0} mm below the floor.</source>
         <translation>La fraise descend {0} mm sous le fond.</translation>
     </message>
@@ -997,6 +1001,10 @@
     <message>
         <source>The start point is not a place.</source>
         <translation>Le point de départ n'est pas un lieu.</translation>
+    </message>
+    <message>
+        <source>The strategy Automatic begins anywhere with room for a helix.</source>
+        <translation>La stratégie Automatique commence partout où il y a la place pour une hélice.</translation>
     </message>
     <message>
         <source>The wall at {at} cannot be cut at Z{0}: {1}.</source>

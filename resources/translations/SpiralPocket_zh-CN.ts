@@ -879,6 +879,10 @@
         <translation>请用更大的刀具或步距。</translation>
     </message>
     <message>
+        <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
+        <translation>刀具在 {at} 处下刀，距起点 {0} mm：{1} 无法在更近处开始。</translation>
+    </message>
+    <message>
         <source>The cutter goes {0} mm below the floor.</source>
         <translation>刀具低于底面 {0} mm。</translation>
     </message>
@@ -997,6 +1001,10 @@
     <message>
         <source>The start point is not a place.</source>
         <translation>起点不是有效位置。</translation>
+    </message>
+    <message>
+        <source>The strategy Automatic begins anywhere with room for a helix.</source>
+        <translation>“自动”策略可在任何能容纳螺旋下刀的位置开始。</translation>
     </message>
     <message>
         <source>The wall at {at} cannot be cut at Z{0}: {1}.</source>
