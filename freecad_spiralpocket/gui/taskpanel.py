@@ -123,6 +123,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.has_lost_widgets = True
         forget_widgets([self.buttonBox, *self.operation_page.tool_editors])
         if self.is_open:
+            self.operation_page.close()  # at once: a timer of the preview may be due
             QtCore.QTimer.singleShot(0, self.abandon)
 
     def _unexpected_errors(self) -> list[SpiralPocketError]:

@@ -2,6 +2,7 @@
 """The preview follows what is typed, touches nothing, and leaves nothing behind."""
 
 import gc
+import time
 
 import FreeCADGui
 import pytest
@@ -172,6 +173,15 @@ def test_nothing_is_left_in_the_view(doc, opened, button):
     press(button)
     wait_for(lambda: not is_panel_open())
     assert nodes(doc) == 0
+
+
+def test_dialog_that_others_close_takes_its_timers_along(doc, opened):
+    widget("stepOverPercent").setValue(34)
+    wait_for(lambda: outlook()._soon.isActive() or outlook()._quiet.isActive())
+    FreeCADGui.Control.closeDialog()
+    time.sleep(1)  # all are due now
+    pump(0.3)
+    assert not is_panel_open() and nodes(doc) == 0
 
 
 def test_deleted_operation_takes_its_preview_along(doc, opened):
