@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from importlib import import_module
 from typing import Any
 
+import FreeCADGui
 from PathScripts import PathUtils
 from PySide import QtCore, QtGui
 
@@ -36,6 +37,7 @@ __all__ = [
     "forget_widgets",
     "freecad_icon",
     "has_tool_controller_editor",
+    "load_form",
     "run_dialog",
     "show_value",
 ]
@@ -48,6 +50,9 @@ def freecad_icon(name: str) -> str:
 
 #: FreeCAD's icon for an operation that is switched off.
 INACTIVE_ICON = freecad_icon("OpActive")
+
+#: So many forms are made at most until PySide names all their widgets rightly.
+FORMS = 5
 
 #: What making an operation raises when the job has no tool controller, or none was chosen.
 NO_TOOL_CONTROLLER_ERRORS = (PathUtils.PathNoTCExistsException, PathOp.PathNoTCException)
@@ -67,6 +72,28 @@ def check_box_signal(box: Any) -> Any:
 def has_tool_controller_editor() -> bool:
     """Return whether the panel can unfold the tool controller's own editor (1.1 and later)."""
     return hasattr(PathOpGui.TaskPanelPage, "updateToolControllerEditorVisibility")
+
+
+def load_form(path: Any) -> Any:
+    """Return the widgets of a form, each of its attributes the widget of that name.
+
+    PySide may take a new widget for what was at the same address before, as the table of a job
+    editor that FreeCAD never gave up: then another form is made, at other addresses.
+    """
+    forms: list[Any] = []  # kept until then
+    while len(forms) < FORMS:
+        forms.append(FreeCADGui.PySideUic.loadUi(str(path)))
+        if all(map(_is_what_it_seems, vars(forms[-1]).values())):
+            break
+    return forms[-1]
+
+
+def _is_what_it_seems(named: Any) -> bool:
+    """Return whether a Qt object is of the class that Python takes it for."""
+    kind = named.metaObject() if isinstance(named, QtCore.QObject) else None
+    while kind is not None and kind.className() != type(named).__name__:
+        kind = kind.superClass()
+    return kind is not None
 
 
 def run_dialog(dialog: QtGui.QDialog) -> int:

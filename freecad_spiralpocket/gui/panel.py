@@ -10,12 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import FreeCADGui
-
 from ..engine.model import FeedMode, Strategy
 from ..op.properties import INHERITED, TABLE, option_names
 from .choices import strategy_note
-from .compat import PathOpGui, has_tool_controller_editor
+from .compat import PathOpGui, has_tool_controller_editor, load_form
 from .extras import FACTORIES, Extra
 from .fields import Check, Choice, Field, LinkFeed, Number, Quantity
 from .startpoint import StartPointField
@@ -62,7 +60,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
 
     def getForm(self) -> Any:  # noqa: N802 - the name FreeCAD calls
         """Return the page's widgets."""
-        form = FreeCADGui.PySideUic.loadUi(str(FORM))
+        form = load_form(FORM)
         if not has_tool_controller_editor():
             form.editToolController.hide()
         form.advancedFrame.hide()

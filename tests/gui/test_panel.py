@@ -2,16 +2,19 @@
 """Each field of the page shows its property and writes it."""
 
 import math
+from types import SimpleNamespace
 
 import FreeCADGui
 import pytest
 from conftest import DEPTH, add_job, floors, new_document, plate
+from PySide import QtGui
 from window import APPLY, CANCEL, panel, press, press_toolbar_button, pump, select, widget
 
 from freecad_spiralpocket.engine.model import Strategy
+from freecad_spiralpocket.gui import compat
 from freecad_spiralpocket.gui.choices import STRATEGY_NOTES
 from freecad_spiralpocket.gui.fields import Check, Choice, Number
-from freecad_spiralpocket.gui.panel import FIELDS
+from freecad_spiralpocket.gui.panel import FIELDS, FORM
 from freecad_spiralpocket.op.properties import option_names
 
 #: What the user enters into each simple field, and what the property is then if not the same.
@@ -245,3 +248,19 @@ def test_tool_can_be_changed_in_the_panel(operation):
     editor.setChecked(True)
     pump(0.3)
     assert panel().operation_page.tcEditor.controller.isVisible()
+
+
+def test_form_with_a_widget_that_pyside_takes_for_another_is_made_again(monkeypatch):
+    load, made = FreeCADGui.PySideUic.loadUi, []
+
+    def confused(path):
+        form = load(path)
+        made.append(form)
+        if len(made) == 1:
+            form.strategy = QtGui.QTableWidgetItem()
+        return form
+
+    monkeypatch.setattr(compat.FreeCADGui, "PySideUic", SimpleNamespace(loadUi=confused))
+    form = compat.load_form(FORM)
+    assert len(made) == 2 and form is made[-1]
+    assert isinstance(form.strategy, QtGui.QComboBox)
