@@ -38,6 +38,8 @@ SPACING = 0.2
 JUMP, HALVINGS = np.radians(3.0), 2
 #: Pieces within this many radii of the cutter center are measured first.
 NEAR = 1.0
+#: Samples that are compared with the motion above them at once.
+PORTION = 20_000
 #: A cutter arrives in the solid if more than this of its whole rim is engaged [rad].
 SOLID = 0.95 * 2 * np.pi
 
@@ -166,7 +168,12 @@ def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top
     twins = find_twins(samples, pieces)
     new = twins == np.arange(n)
     gaps = uncleared(samples.select(new), pieces, r).repeated(np.cumsum(new)[twins] - 1)
-    load, bites = standing_share(gaps, samples, pieces, r, axial_depth, top)
+    shares = []
+    for first in range(0, n, PORTION):
+        some = np.arange(first, min(first + PORTION, n))
+        here = samples.select(some)
+        shares.append(standing_share(gaps.repeated(some), here, pieces, r, axial_depth, top))
+    load, bites = np.concatenate(shares, axis=1)
     return np.stack([load, gaps.widths(n, r), gaps.angles(n), bites])
 
 

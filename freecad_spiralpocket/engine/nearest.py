@@ -48,9 +48,9 @@ def nearest(
     index = np.zeros(len(places), np.intp)
     if len(places) == 0:
         return found, index
-    size = min(_typical(points, places), within)
-    _within_cells(points, places, size, found, index)
-    if size < within:
+    size = within if np.isfinite(within) else _typical(points, places)
+    looked = _within_cells(points, places, size, found, index)
+    if not looked or size < within:
         asking = np.flatnonzero(found > size)
         tree = shapely.STRtree(shapely.points(points))
         index[asking] = tree.query_nearest(shapely.points(places[asking]), all_matches=False)[1]
@@ -69,10 +69,13 @@ def _typical(points: Floats, places: Floats) -> float:
 
 def _within_cells(
     points: Floats, places: Floats, size: float, found: Floats, index: NDArray[np.intp]
-) -> None:
+) -> bool:
     """Write distance and index of the nearest point in the nine cells about each place.
 
-    Not where that would take longer than asking a tree.
+    Returns
+    -------
+    bool
+        Whether it did: not where that would take longer than asking a tree.
     """
     low = points.min(axis=0)
     column, row = np.floor((points - low) / size).astype(np.int64).T
@@ -87,11 +90,12 @@ def _within_cells(
     last = np.searchsorted(key, rows + end[:, None], "right")
     total = np.cumsum((last - first).sum(axis=1))
     if total[-1] > CROWD * len(places):
-        return
+        return False
     cuts = np.searchsorted(total, np.arange(PORTION, total[-1], PORTION)) + 1
     for a, b in pairwise(np.unique(np.r_[0, cuts, len(places)]).tolist()):
         _measure(sorted_points, places, first, last, slice(a, b), found, index)
     index[:] = order[index]
+    return True
 
 
 def _measure(

@@ -12,10 +12,9 @@ L-shaped side face of a boss is higher than the floor around it, and lower.
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any
 
 import FreeCAD
 import Part
@@ -32,10 +31,42 @@ _TANGENT = 1e-3
 #: Step from an edge into the floor [mm].
 _ASIDE = 1e-3
 
-#: The faces at each edge of a solid, by the edge's hash code.
-Neighbors: TypeAlias = dict[int, list[Any]]
-
 _PICK_A_FLOOR = "Select the floor of the pocket, a flat level face with walls around it."
+
+
+class Neighbors:
+    """Which faces of a solid meet, and how high each reaches.
+
+    FreeCAD makes the edges of a face, and computes its box, anew whenever it is asked: with
+    hundreds of walls that takes longer than the rest.
+    """
+
+    def __init__(self, solid: Any) -> None:
+        self._at: dict[int, list[Any]] = {}
+        self._around: dict[int, list[int]] = {}
+        self._heights: dict[int, tuple[float, float]] = {}
+        for face in solid.Faces:
+            edges = [edge.hashCode() for edge in face.Edges]
+            self._around[face.hashCode()] = edges
+            for edge in edges:
+                self._at.setdefault(edge, []).append(face)
+
+    def at(self, edge: Any) -> list[Any]:
+        """Return the faces at an edge."""
+        return self._at.get(edge.hashCode(), [])
+
+    def around(self, face: Any) -> Iterator[Any]:
+        """Yield the faces at each edge of a face, itself among them."""
+        for edge in self._around[face.hashCode()]:
+            yield from self._at[edge]
+
+    def heights(self, face: Any) -> tuple[float, float]:
+        """Return Z of the lowest and of the highest point of a face [mm]."""
+        key = face.hashCode()
+        if key not in self._heights:
+            box = face.BoundBox
+            self._heights[key] = box.ZMin, box.ZMax
+        return self._heights[key]
 
 
 @dataclass(frozen=True)
@@ -53,7 +84,7 @@ class Floor:
         Height of the floor [mm].
     open_edges : int
         How many edges of the outline have no wall.
-    neighbors : dict
+    neighbors : Neighbors
         Of the solid.
     """
 
@@ -117,7 +148,7 @@ def floor(model: Any, name: str, known: dict[int, Neighbors] | None = None) -> F
     solid = _solid_of(model.Shape, face, where)
     known = {} if known is None else known
     if solid.hashCode() not in known:
-        known[solid.hashCode()] = neighbors_of(solid)
+        known[solid.hashCode()] = Neighbors(solid)
     neighbors = known[solid.hashCode()]
     edges = face.OuterWire.Edges
     walled = sum(wall_rises(neighbors, face, e) for e in edges)
@@ -207,22 +238,13 @@ def _solid_of(shape: Any, face: Any, where: str) -> Any:
     return owners[0]
 
 
-def neighbors_of(solid: Any) -> Neighbors:
-    """Return the faces at each edge of a solid."""
-    faces = defaultdict(list)
-    for face in solid.Faces:
-        for edge in face.Edges:
-            faces[edge.hashCode()].append(face)
-    return faces
-
-
 def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:
     """Return whether material rises from `edge` of the level face `face`."""
-    neighbor = next((f for f in neighbors[edge.hashCode()] if not f.isSame(face)), None)
+    neighbor = next((f for f in neighbors.at(edge) if not f.isSame(face)), None)
     if neighbor is None:
         return False
-    z, box = edge.BoundBox.ZMin, neighbor.BoundBox  # the box of a large face takes long
-    above, below = box.ZMax > z + SAME_HEIGHT, box.ZMin < z - SAME_HEIGHT
+    z, (low, high) = edge.BoundBox.ZMin, neighbors.heights(neighbor)
+    above, below = high > z + SAME_HEIGHT, low < z - SAME_HEIGHT
     if above != below:
         return bool(above)
     t0, t1 = edge.ParameterRange

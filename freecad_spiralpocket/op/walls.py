@@ -80,11 +80,12 @@ class Walls:
 
     def are_plain(self, top: float) -> bool:
         """Return whether all walls are vertical and rise to Z `top`, or end together below it."""
-        rim = min(top, max((f.BoundBox.ZMax for f in self._around), default=top))
+        heights = [self._neighbors.heights(face) for face in self._around]
+        rim = min(top, max((high for _, high in heights), default=top))
         if rim not in self._plain:
             self._plain[rim] = all(
-                is_vertical(face) or (is_level(face) and face.BoundBox.ZMin > rim - SAME_HEIGHT)
-                for face in self._around
+                (low > rim - SAME_HEIGHT and is_level(face)) or is_vertical(face)
+                for face, (low, _) in zip(self._around, heights, strict=True)
             )
         return self._plain[rim]
 
@@ -116,23 +117,31 @@ class Walls:
             for wire in wires
             for edge in wire.Edges
             if wall_rises(floor.neighbors, floor.face, edge)
-            for face in self._neighbors[edge.hashCode()]
+            for face in self._neighbors.at(edge)
         ]
         while front:
             face = front.pop()
-            if face.hashCode() in seen or face.BoundBox.ZMax < floor.z + SAME_HEIGHT:
+            key = face.hashCode()
+            if key in seen:
                 continue
-            seen.add(face.hashCode())
+            seen.add(key)
+            low, high = self._neighbors.heights(face)
+            if high < floor.z + SAME_HEIGHT:
+                continue
             yield face
-            if is_level(face) and self._is_summit(face):
+            if high - low <= SAME_HEIGHT and is_level(face) and self._is_summit(face):
                 continue
-            front += [f for e in face.Edges for f in self._neighbors[e.hashCode()]]
+            front += self._neighbors.around(face)
 
     def _is_summit(self, face: Any) -> bool:
         """Return whether nothing rises from a level face."""
-        z = face.BoundBox.ZMax + SAME_HEIGHT
+        z = self._neighbors.heights(face)[1] + SAME_HEIGHT
+        if not any(self._neighbors.heights(f)[1] > z for f in self._neighbors.around(face)):
+            return True
         higher = (
-            e for e in face.Edges if any(f.BoundBox.ZMax > z for f in self._neighbors[e.hashCode()])
+            e
+            for e in face.Edges
+            if any(self._neighbors.heights(f)[1] > z for f in self._neighbors.at(e))
         )
         return not any(wall_rises(self._neighbors, face, e) for e in higher)
 
@@ -271,8 +280,10 @@ def place_on(face: Any) -> tuple[float, float]:
 def _normals(face: Any) -> np.ndarray:
     """Return the outward normals in a grid of places, shape (n, 3); one for a plane."""
     u0, u1, v0, v1 = face.ParameterRange
-    count = 1 if isinstance(face.Surface, Part.Plane) else PLACES
-    us, vs = (a + (b - a) * (np.arange(count) + 0.5) / count for a, b in ((u0, u1), (v0, v1)))
+    if isinstance(face.Surface, Part.Plane):
+        return np.array([tuple(face.normalAt((u0 + u1) / 2, (v0 + v1) / 2))])
+    shares = (np.arange(PLACES) + 0.5) / PLACES
+    us, vs = (a + (b - a) * shares for a, b in ((u0, u1), (v0, v1)))
     return np.array([tuple(face.normalAt(u, v)) for u in us for v in vs])
 
 
