@@ -51,6 +51,9 @@ class PreviewBox(QtGui.QWidget):
         self.quantity.addItem(translate("SpiralPocket", "Engagement [°]"), "engagement")
         self.quantity.addItem(translate("SpiralPocket", "Feed [mm/min]"), "feed")
         self.quantity.setToolTip(translate("SpiralPocket", "What the colors of the cut show"))
+        # FreeCAD 0.20 opens with a narrow panel, which would be cut off at the right
+        self.quantity.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.quantity.setMinimumContentsLength(6)
         self.bar = ColorBar()
         self.play = QtGui.QToolButton()
         self.play.setCheckable(True)
@@ -93,7 +96,7 @@ class PreviewBox(QtGui.QWidget):
         top.addWidget(self.live)
         top.addStretch()
         top.addWidget(QtGui.QLabel(translate("SpiralPocket", "Color by")))
-        top.addWidget(self.quantity)
+        top.addWidget(self.quantity, 1)
         for widget in (self.play, self.slider, self.clock):
             player.addWidget(widget)
         layout.addLayout(top)

@@ -121,7 +121,9 @@ class ResultBox:
             label = QtGui.QLabel(value)
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
             label.setAlignment(QtCore.Qt.AlignRight)
-            self.figures.addWidget(QtGui.QLabel(name), row, 0)
+            called = QtGui.QLabel(name)
+            called.setWordWrap(True)  # in a narrow panel
+            self.figures.addWidget(called, row, 0)
             self.figures.addWidget(label, row, 1)
 
     def _show_remarks(self, remarks: list[Remark]) -> None:

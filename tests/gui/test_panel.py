@@ -8,7 +8,17 @@ import FreeCADGui
 import pytest
 from conftest import DEPTH, add_job, floors, new_document, plate
 from PySide import QtGui
-from window import APPLY, CANCEL, panel, press, press_toolbar_button, pump, select, widget
+from window import (
+    APPLY,
+    CANCEL,
+    panel,
+    press,
+    press_toolbar_button,
+    pump,
+    select,
+    wait_for,
+    widget,
+)
 
 from freecad_spiralpocket.engine.model import Strategy
 from freecad_spiralpocket.gui import compat
@@ -232,6 +242,12 @@ def test_freecads_own_pages_keep_their_titles(operation):
     titles = [box.itemText(i) for i in range(box.count())]
     assert titles == ["Base Geometry", "Depths", "Heights", "Operation"]
     assert box.windowTitle() == "Spiral Pocket"
+
+
+def test_boxes_are_no_wider_than_the_page(operation):
+    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    widest = panel().operation_page.form.minimumSizeHint().width()
+    assert all(box.minimumSizeHint().width() <= widest for box in panel().form[1:])
 
 
 def test_tool_controller_and_coolant_are_written(operation):

@@ -16,6 +16,7 @@ from window import (
     pixels_that_differ,
     press,
     press_toolbar_button,
+    pump,
     screenshot,
     select,
     wait_for,
@@ -75,6 +76,7 @@ def test_freecads_estimate_is_its_own(opened):
 
 
 def test_a_change_greys_the_figures_until_they_hold_again(opened):
+    pump(0.3)  # it has got its height by then
     before, height = page().result_box.texts, page().result_box.box.height()
     widget("stepOverPercent").setValue(21)
     assert not page().result_box.body.isEnabled()
