@@ -49,7 +49,7 @@ WIDEST = 0.7
 BEGINNINGS = 12
 #: So many of those with the least detour are tried, and along a longer way.
 TRIED, ROUTED = 6, 6
-#: A spiral whose first lap passes this near begins without a link [mm].
+#: A spiral whose first lap passes this near begins without a link, and so do laps and strokes [mm].
 TOUCHES = 0.05
 #: It comes to its own over this length [mm].
 MERGES = 5.0
@@ -140,8 +140,17 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
     if rest:
         runs = runs_of(rest, fronts, opening.start.ring, radius, request.cutting.stepover)
         done, motion = partial(tick, 0.8), motion_of(request)
-        steps += order(runs, cleared, region, here, heading, motion, radius, done)
+        ordered = order(runs, cleared, region, here, heading, motion, radius, done)
+        steps += [_without_hairpin(step) for step in ordered]
     return Layout(opening, tuple(spirals), tuple(links), tuple(steps))
+
+
+def _without_hairpin(step: Step) -> Step:
+    """Return a step without its link if it begins where the one before ended, but for a touch."""
+    link = step.link
+    if link is None or len(link) < 2 or np.hypot(*(link[-1] - link[0])) >= TOUCHES:
+        return step
+    return replace(step, link=np.empty((0, 2)))
 
 
 def _in_order(opening: Opening, axis: Skeleton, request: PocketRequest) -> list[Spiral]:
