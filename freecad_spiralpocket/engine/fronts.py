@@ -71,20 +71,22 @@ def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:
     Parameters
     ----------
     curvature : ndarray of shape (n,)
-        Of the front, positive where convex [1/mm]; concave counts as straight.
+        Of the front, positive where convex [1/mm].
     rules : FrontRules
 
     Returns
     -------
     ndarray of shape (n,)
-        [mm], in ``(0, stepover]``.
+        [mm], in ``(0, WIDEST * stepover]``.
     """
-    r, limit = rules.cutter_radius, rules.limit
-    k = np.maximum(curvature, 1e-6)
-    rho = r + 1 / k
-    root = np.sqrt(rho**2 - (r * np.sin(limit)) ** 2)
+    r, s = rules.cutter_radius, rules.cutter_radius * np.sin(rules.limit)
+    rho = r + 1 / np.where(np.abs(curvature) < 1e-6, 1e-6, curvature)
+    widest = WIDEST * rules.stepover
+    # stock that is tighter than this may be taken as deeply as anything is
+    rho = np.where(curvature < 0, np.minimum(rho, -s), rho)
+    root = np.sqrt(rho**2 - s**2)
     # rho - root without cancellation
-    return r * (1 - np.cos(limit)) - (r * np.sin(limit)) ** 2 / (rho + root)
+    return np.minimum(rules.stepover - s**2 / (rho + np.copysign(root, rho)), widest)
 
 
 def buffer(shape: Region, distance: float) -> Region:
@@ -132,9 +134,12 @@ def _stepped_ring(
     speed = np.hypot(tangent[:, 0], tangent[:, 1]) + 1e-12
     curvature = (tangent[:, 0] * bend[:, 1] - tangent[:, 1] * bend[:, 0]) / speed**3
     on_wall = are_near_walls(omega, points, 0.02)
-    curvature = np.where(on_wall, 0.0, np.maximum(curvature, 0.0))
-    width = max(3, round(2 * REACH * rules.cutter_radius / spacing) | 1)
-    curvature = highest(curvature, width, closed=True)
+    curvature = np.where(on_wall, 0.0, curvature)
+    near, far = (max(3, round(2 * w * rules.cutter_radius / spacing) | 1) for w in (REACH, FAR))
+    convex = highest(curvature, near, closed=True)
+    concave = np.minimum(highest(curvature, far, closed=True), 0.0)
+    concave = evened(concave, far / 4, closed=True)
+    curvature = np.maximum(convex, 0.0) + concave
     curvature = evened(curvature, EVEN * rules.cutter_radius / spacing, closed=True)
     step = np.where(on_wall, 0.0, engagement_step(curvature, rules))
     normal = np.column_stack([tangent[:, 1], -tangent[:, 0]]) / speed[:, None]
@@ -154,7 +159,9 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         The cutter-center region; contains `visited`.
     """
     visited = _without_idle_holes(visited, omega, rules)
-    shell, least = _stepped_ring(visited.exterior, omega, rules)
+    shell, least = shapely.get_coordinates(visited.exterior), rules.stepover
+    if not shapely.equals(visited.exterior, omega.exterior):
+        shell, least = _stepped_ring(visited.exterior, omega, rules)
     holes = []
     for ring in visited.interiors:
         hole, least_here = _stepped_ring(ring, omega, rules)
@@ -168,36 +175,48 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         loop = 0.25 * rules.cutter_radius
         moved = buffer(buffer(shapely.make_valid(moved), -loop), loop)
         moved = shapely.union(moved, buffer(visited, least))
-    closed = _closed(moved, visited, rules, CLOSINGS)
+    closed = _closed(moved, visited, omega, rules, CLOSINGS)
     grown = _filleted(shapely.intersection(closed, omega), rules.fillet, omega)
     return shapely.simplify(largest(shapely.union(grown, visited)), 0.002)
 
 
 def _without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
-    """Fill the holes in which no stock stands: the cutter reached over them from all around."""
-    kept = []
+    """Fill the holes, and the arms of holes, in which no stock stands.
+
+    The cutter reached over them from all around.
+    """
+    idle, kept = rules.cutter_radius - IDLE, []
     for ring in visited.interiors:
         hole = Polygon(ring)
-        if not omega.contains(hole) or not hole.buffer(-IDLE * rules.cutter_radius).is_empty:
+        if not omega.contains(hole):
             kept.append(ring)
-    return visited if len(kept) == len(visited.interiors) else Polygon(visited.exterior, kept)
+            continue
+        holding = shapely.intersection(buffer(buffer(hole, -idle), idle), hole)
+        parts = [p for p in polygons_of(holding) if p.area > SLIVER]
+        kept.extend(p.exterior for p in parts)
+    return oriented(Polygon(visited.exterior, kept))
 
 
-def _closed(moved: Region, visited: Polygon, rules: FrontRules, shares: Sequence[float]) -> Region:
-    """Round reentrant kinks of a moved front, each as widely as the cutter reached over.
+def _closed(
+    moved: Region, visited: Polygon, omega: Polygon, rules: FrontRules, shares: Sequence[float]
+) -> Region:
+    """Round reentrant kinks of a moved front, each as widely as the cutter reaches over.
 
-    Going round `visited` it clears what is within its radius; a fill that goes farther would be
-    taken for cleared and stay standing. There the next smaller of the radii in `shares` is taken.
+    Going round `visited` and then round the new front it clears what is within its radius of
+    either; a wider fill would be taken for cleared and stay standing. There the next smaller of
+    the radii in `shares` is taken.
     """
     if not shares:
         return moved
     radius = shares[0] * rules.closing
     closed = buffer(buffer(moved, radius), -radius)
-    if _is_reached(closed, moved, visited, rules):
-        return closed
     fills = shapely.get_parts(shapely.difference(closed, moved))
     fills = fills[shapely.area(fills) > SLIVER]
-    far = fills[_are_beyond(fills, visited, rules)]
+    if len(fills) == 0:
+        return closed
+    corner = _are_corners(fills, moved)
+    edge = shapely.intersection(closed, omega).boundary
+    far = fills[_are_beyond(fills, corner, visited, edge, rules)]
     if len(far) == 0:
         return closed
     pieces = [shapely.difference(closed, shapely.union_all(far))]
@@ -205,36 +224,49 @@ def _closed(moved: Region, visited: Polygon, rules: FrontRules, shares: Sequence
         zone = buffer(piece, 0.01)
         x0, y0, x1, y1 = zone.bounds
         near = shapely.clip_by_rect(moved, x0 - radius, y0 - radius, x1 + radius, y1 + radius)
-        finer = _closed(near, visited, rules, shares[1:])
+        finer = _closed(near, visited, omega, rules, shares[1:])
         pieces.append(shapely.intersection(finer, zone))
     return shapely.union_all(pieces)
 
 
-def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRules) -> bool:
-    """Return whether surely all that was filled is within reach of `visited`; quick."""
-    holes = [sum(len(p.interiors) for p in polygons_of(shape)) for shape in (closed, moved)]
-    if holes[0] < holes[1]:
-        return False
-    shapely.prepare(visited)
-    points = shapely.points(shapely.get_coordinates(closed))
-    return bool(shapely.dwithin(visited, points, REACHED * rules.cutter_radius).all())
+def _are_corners(fills: NDArray[np.object_], moved: Region) -> NDArray[np.bool_]:
+    """Return which fills have one new edge: others join two fronts, or close a hole."""
+    shapely.prepare(moved)
+    corner = np.zeros(len(fills), dtype=bool)
+    for i, fill in enumerate(fills):
+        points = shapely.get_coordinates(fill.exterior.segmentize(EDGE))[:-1]
+        new = ~shapely.dwithin(moved, shapely.points(points), NEW)
+        corner[i] = np.count_nonzero(new & ~np.roll(new, 1)) == 1 and not fill.interiors
+    return corner
 
 
 def _are_beyond(
-    pieces: NDArray[np.object_], visited: Polygon, rules: FrontRules
+    fills: NDArray[np.object_],
+    corner: NDArray[np.bool_],
+    visited: Polygon,
+    edge: Region,
+    rules: FrontRules,
 ) -> NDArray[np.bool_]:
-    """Return which pieces the cutter, going round `visited`, did not clear wholly."""
+    """Return which fills the cutter does not clear wholly.
+
+    It goes round `visited`, and where a corner is rounded then along its new edge.
+    """
     reach = REACHED * rules.cutter_radius
-    coords, piece = shapely.get_coordinates(pieces, return_index=True)
+    coords, of = shapely.get_coordinates(fills, return_index=True)
+    points = shapely.points(coords)
     shapely.prepare(visited)
-    beyond = np.zeros(len(pieces), dtype=bool)
-    beyond[piece[~shapely.dwithin(visited, shapely.points(coords), reach)]] = True
+    shapely.prepare(edge)
+    lost = ~shapely.dwithin(visited, points, reach)
+    lost &= ~(corner[of] & shapely.dwithin(edge, points, reach))
+    beyond = np.zeros(len(fills), dtype=bool)
+    beyond[of[lost]] = True
     # the middle of a wide piece may be out of reach though its rim is not
-    for i in np.flatnonzero(~beyond & (shapely.area(pieces) > reach**2)):
-        x0, y0, x1, y1 = pieces[i].bounds
-        near = shapely.clip_by_rect(visited, x0 - reach, y0 - reach, x1 + reach, y1 + reach)
-        rest = shapely.difference(pieces[i], buffer(near, reach))
-        beyond[i] = rest.area > SLIVER
+    for i in np.flatnonzero(~beyond & (~corner | (shapely.area(fills) > reach**2))):
+        x0, y0, x1, y1 = fills[i].bounds
+        window = shapely.box(x0 - reach, y0 - reach, x1 + reach, y1 + reach)
+        around = (visited, edge) if corner[i] else (visited,)
+        near = [buffer(shapely.intersection(s, window), reach) for s in around]
+        beyond[i] = shapely.difference(fills[i], shapely.union_all(near)).area > SLIVER
     return beyond
 
 
@@ -246,21 +278,31 @@ def largest(shape: Region) -> Polygon:
 #: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
 #: much, over R: a step that jumps makes waves that grow from lap to lap.
 REACH, EVEN = 0.8, 0.9
+#: A step goes beyond the step-over only where it is concave so far to both sides, over R.
+FAR = 3.0
 #: Distance of samples along a front, and width of the smoothing under which its bends are taken,
 #: over R or over the width of a slim one.
 SPACING, SOFT = 0.12, 0.4
 #: Samples of a moved front that matter less than this are left out [mm].
 STRAIGHT = 0.0005
+#: Where the stock bends away from the cutter the step may be so much over the step-over.
+WIDEST = 1.15
 #: A front goes no farther than this beyond the last, over R: there the cutter reached over.
 REACHED = 0.92
 #: Radii tried to round a reentrant kink, over `FrontRules.closing`.
 CLOSINGS = (1.0, 0.5, 0.2)
-#: A hole this narrow holds no stock, half its width over R.
-IDLE = 0.995
+#: Distance of the points of a fill by which its new edges are counted [mm].
+EDGE = 0.5
+#: A hole holds no stock that is wide enough for less than the cutter by this, half its width [mm].
+IDLE = 0.003
 #: Growth ends when a step adds less than this share of the last stroke's area.
 STALLED = 0.02
 #: A stroke before a corner is not worth its link that cuts less than this over the step-over.
 SCRAP = 0.35
+#: A lap may be wider by this to leave no ribs; as much as feeds allow without slowing down.
+STRETCH = 1.05
+#: Ribs below this area are not worth that, over R and the step-over.
+RIBS = 0.1
 #: The front is new where it is farther than this from the region before [mm].
 NEW = 0.012
 #: An opening may take so much of a free tip, over the fillet.
@@ -300,11 +342,11 @@ def grow(
         Nested, from `start` to where only corners are left (see `corners`); None if there would
         be more than `most`.
     """
-    fronts = [oriented(start)]
+    fronts = [oriented(_without_idle_holes(start, omega, rules))]
     least = STALLED * rules.stepover * rules.cutter_radius
     for _ in range(most):
         tick()
-        grown = _without_scraps(advance(fronts[-1], omega, rules), fronts[-1], omega, rules)
+        grown = _without_scraps(_stretched(fronts[-1], omega, rules), fronts[-1], omega, rules)
         if grown.area - fronts[-1].area < least:
             grown = _through_neck(fronts[-1], omega, rules)
             if grown is None:
@@ -313,6 +355,29 @@ def grow(
     if len(fronts) > most:
         return None
     return fronts
+
+
+def _stretched(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
+    """Return the next front, a little wider where it would leave only thin ribs in places."""
+    grown = advance(visited, omega, rules)
+    ribs = _ribs(grown, omega, rules)
+    if ribs < RIBS * rules.cutter_radius * rules.stepover:
+        return grown
+    wider = np.arccos(max(-1.0, 1 - STRETCH * (1 - np.cos(rules.limit))))
+    other = advance(visited, omega, replace(rules, limit=float(wider)))
+    return other if _ribs(other, omega, rules) < ribs / 2 else grown
+
+
+def _ribs(visited: Polygon, omega: Polygon, rules: FrontRules) -> float:
+    """Return the area of the stock in ribs so thin that a wider lap would have taken them [mm2]."""
+    thin, area = (STRETCH - 1) * rules.stepover, 0.0
+    for ring in visited.interiors:
+        hole = Polygon(ring)
+        if omega.contains(hole):
+            stock = buffer(hole, IDLE - rules.cutter_radius)
+            area += stock.area - buffer(buffer(stock, -thin), thin).area
+    # along slopes and in corners the opening takes a little too
+    return area
 
 
 def _without_scraps(grown: Polygon, visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:

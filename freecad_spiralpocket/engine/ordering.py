@@ -17,11 +17,22 @@ import shapely
 from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
+from .fronts import Region, buffer
 from .linking import Motion, fine_link, hermite_links, link_times
 from .model import Floats
 from .polyline import points_at
 from .routing import route
-from .spiral import chains_of, closed_line, gaps, spiral_through, zone_length, zones
+from .spiral import (
+    chains_of,
+    closed_line,
+    ends_of,
+    gaps,
+    onward,
+    spiral_through,
+    without_air,
+    zone_length,
+    zones,
+)
 from .strokes import Stroke
 
 #: A stroke leans on strokes of lower levels within this many step-overs.
@@ -34,6 +45,8 @@ TRIED = 8
 ROUTED = 6
 #: A spiral goes on to the next lap where that is no farther than this over the step-over.
 WIDEST = 1.3
+#: The same about a plug: where it is farther there the plug's corners are rounded.
+WIDEST_INWARDS = 2.2
 #: So many of the fastest links are checked point by point.
 CHECKED = 160
 #: Points of a link as it is cut.
@@ -153,31 +166,62 @@ def _spiral(
     """
     first = strokes[chain[0]]
     laps = [closed_line(strokes[i].points) for i in chain]
-    widest = WIDEST * stepover
-    if first.level == 1 and first.exterior:
+    widest = (WIDEST if first.exterior else WIDEST_INWARDS) * stepover
+    if first.level == 1 and _begins_on(ring, laps[0], first.exterior, radius, widest):
         source, at = ring, np.zeros(1)
     else:
         before = fronts[first.level - 1]
         rings = [before.exterior, *before.interiors]
         sides = [LineString(shapely.get_coordinates(r)) for r in rings]
         source = sides[int(shapely.STRtree(sides).query_nearest(laps[0], all_matches=False)[0])]
-        at = zones(source, laps[0], radius, widest)
+        at = np.empty(0) if first.exterior else ends_of(source, laps[0], radius, widest)
+        if len(at) == 0:
+            at = zones(source, laps[0], radius, widest)
     count, here, place = 1, source, float(at[0])
     while count < len(chain) and needs[chain[count]] <= set(chain[:count]):
         place = float(laps[count - 1].project(here.interpolate(place)))
         here = laps[count - 1]
-        length = zone_length(here, laps[count], radius)
-        if gaps(here, laps[count], np.array([place]), length)[0] > widest:
+        further = onward(here, place, laps[count], radius, widest)
+        if further is None:
             break
+        place += further
         count += 1
     taken = laps[:count]
+    last = [strokes[i] for i in chain[:count][-2:]]
+    stock = None if first.exterior else _taken_by(last, fronts, radius)
+
+    def way(start: float) -> Floats:
+        points = spiral_through(source, start, taken, radius, widest)
+        return points if stock is None else without_air(points, stock, radius)
+
     starts, ahead = points_at(source, at), points_at(source, (at + 0.2) % source.length)
     return count, Run(
         tuple(chain[:count]),
-        tuple(partial(spiral_through, source, float(a), taken, radius) for a in at),
+        tuple(partial(way, float(a)) for a in at),
         starts,
         np.array([_unit(v) for v in ahead - starts]),
     )
+
+
+def _taken_by(laps: Sequence[Stroke], fronts: Sequence[Polygon], radius: float) -> Region | None:
+    """Return the stock that laps about a plug take; None where they run along an island's wall."""
+    inside = Polygon(laps[-1].points).representative_point()
+    around = [Polygon(ring) for ring in fronts[laps[0].level - 1].interiors]
+    hole = next((h for h in around if h.contains(inside)), None)
+    if hole is None or any(hole.contains(Polygon(ring)) for ring in fronts[-1].interiors):
+        return None
+    left = [Polygon(ring) for ring in fronts[laps[-1].level].interiors]
+    after = [buffer(h, -radius) for h in left if hole.intersects(h)]
+    return shapely.difference(buffer(hole, -radius), shapely.union_all(after))
+
+
+def _begins_on(
+    ring: LineString, lap: LineString, exterior: bool, radius: float, widest: float
+) -> bool:
+    """Return whether a lap of the first level may be begun where the entry ends."""
+    if exterior:
+        return True
+    return bool(gaps(ring, lap, np.zeros(1), zone_length(ring, lap, radius))[0] <= widest)
 
 
 def order(

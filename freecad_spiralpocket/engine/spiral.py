@@ -16,6 +16,7 @@ import shapely
 from shapely import LineString, Polygon
 
 from .filters import evened
+from .fronts import Region
 from .model import Floats
 from .nearest import nearest
 from .polyline import locate, points_at
@@ -26,10 +27,19 @@ from .strokes import CHORD, Stroke
 BLEND = 7.0
 #: Longest chord of a blend [mm]: round the tip of a slot it is tight.
 FINE_CHORD = 0.1
+#: It is at most this share of the shorter lap: outwards, and inwards, where more would be lost by a
+#: steep way across than by a long one.
+OUTWARDS, INWARDS = 0.4, 0.8
+#: A lap is slim whose area is less than this share of a disc's of the same girth.
+SLIM = 0.5
 #: The way across is evened out over so much [mm].
 EVEN = 1.0
-#: Places to leave a lap that are looked at.
-ZONES = 8
+#: Places to leave a lap that are looked at, on long ones one in so many R.
+ZONES, APART = 8, 4.0
+#: Distance of samples of the stock that the last lap of a plug takes, over R.
+SAMPLING = 0.06
+#: So little of that stock is none [mm2].
+CRUMB = 1e-3
 #: Share of the zone over which that angle builds up, and dies away.
 EASE = 0.2
 
@@ -80,7 +90,9 @@ def blend(lap: LineString, start: float, target: LineString, length: float) -> F
 
 def zone_length(lap: LineString, target: LineString, radius: float) -> float:
     """Return the length of the zone between two laps [mm]."""
-    return min(BLEND * radius, 0.4 * lap.length, 0.4 * target.length)
+    shortest = min(lap.length, target.length)
+    share = INWARDS if target.length < lap.length else OUTWARDS
+    return min(BLEND * radius, share * shortest)
 
 
 def gaps(
@@ -97,7 +109,7 @@ def gaps(
 
 
 def zones(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
-    """Return places along `lap` where it may be left for `target`, at most `ZONES`, [mm].
+    """Return places along `lap` where it may be left for `target`, some `ZONES`, [mm].
 
     Spread over those where the gap through the zone is at most `widest`; the one of the least gap
     where there is none.
@@ -107,11 +119,48 @@ def zones(lap: LineString, target: LineString, radius: float, widest: float) -> 
     good = np.flatnonzero(np.round(gaps(lap, target, starts, length, 1.01 * widest), 3) <= widest)
     if len(good) == 0:
         return starts[[int(np.argmin(np.round(gaps(lap, target, starts, length), 3)))]]
-    return starts[good[np.unique(np.linspace(0, len(good) - 1, ZONES).astype(int))]]
+    count = max(ZONES, int(lap.length / (APART * radius)))
+    return starts[good[np.unique(np.linspace(0, len(good) - 1, count).astype(int))]]
+
+
+def ends_of(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
+    """Return where to leave `lap` for a slim `target`, so that one side of that is cut first [mm].
+
+    Then hardly anything is left for the way back. Empty where it is not slim, or too far.
+    """
+    coords = shapely.get_coordinates(target)
+    if 4 * np.pi * Polygon(coords).area > SLIM * target.length**2:
+        return np.empty(0)
+    middle = coords.mean(axis=0)
+    along = (coords - middle) @ np.linalg.svd(coords - middle, full_matrices=False)[2][0]
+    tips = shapely.points(coords[[np.argmin(along), np.argmax(along)]])
+    length = zone_length(lap, target, radius)
+    starts = (shapely.line_locate_point(lap, tips) - length) % lap.length
+    return starts[gaps(lap, target, starts, length) <= widest]
+
+
+def onward(
+    lap: LineString, start: float, target: LineString, radius: float, widest: float
+) -> float | None:
+    """Return how far beyond `start` a lap is best left for the next.
+
+    That is to where the gap through the zone is at most `widest`, at most over the length of a
+    zone; None if it is nowhere.
+    """
+    length = zone_length(lap, target, radius)
+    further = np.arange(0.0, length, radius / 2)
+    if gaps(lap, target, np.array([start]), length)[0] <= widest:
+        return 0.0
+    good = np.flatnonzero(gaps(lap, target, start + further, length) <= widest)
+    return float(further[good[0]]) if len(good) else None
 
 
 def spiral_through(
-    first: LineString, start: float, laps: Sequence[LineString], radius: float
+    first: LineString,
+    start: float,
+    laps: Sequence[LineString],
+    radius: float,
+    widest: float = np.inf,
 ) -> Floats:
     """Return the spiral from `first`, which is already cut, through `laps`.
 
@@ -123,6 +172,8 @@ def spiral_through(
         Closed, each outside of the one before, in the same direction.
     radius : float
         R [mm].
+    widest : float, optional
+        A lap goes on until the next is so near [mm].
 
     Returns
     -------
@@ -140,9 +191,49 @@ def spiral_through(
         run = (leave - landed) % lap.length
         if i == len(laps) - 1:
             run += (landed - leave) % lap.length  # through the zone once more
+        else:
+            run += onward(lap, leave, laps[i + 1], radius, widest) or 0.0
         pieces.append(between(lap, landed, run)[1:])
         here, at = lap, (landed + run) % lap.length
     return np.vstack(pieces)
+
+
+def without_air(points: Floats, stock: Region, reach: float) -> Floats:
+    """Return a path up to where nothing of `stock` is left that is within `reach` of it.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 2)
+        [mm]
+    stock : shapely.Polygon or MultiPolygon
+        That stands before, outside of the reach of nearly all of the path.
+    reach : float
+        [mm]
+    """
+    if stock.is_empty:
+        return points
+    x0, y0, x1, y1 = stock.bounds
+    x, y = np.meshgrid(np.arange(x0, x1, SAMPLING * reach), np.arange(y0, y1, SAMPLING * reach))
+    inner = np.column_stack([x.ravel(), y.ravel()])
+    inner = inner[shapely.contains_xy(stock, inner)]
+    rim = shapely.get_coordinates(shapely.segmentize(stock, SAMPLING * reach))
+    samples = np.vstack([inner, rim])
+    tree = shapely.STRtree(shapely.points(points))
+    sample, hit = tree.query(shapely.points(samples), predicate="dwithin", distance=reach)
+    if len(hit) == 0:
+        return points
+    earliest = np.full(len(samples), len(points))
+    np.minimum.at(earliest, sample, hit)
+    earliest = earliest[earliest < len(points)]
+    first, needed = int(earliest.min()), int(earliest.max()) + 1
+    # between the samples a little may stand yet
+    more = 1
+    while needed < len(points):
+        way = LineString(points[first : needed + 1])
+        if shapely.difference(stock, shapely.buffer(way, reach, quad_segs=32)).area < CRUMB:
+            break
+        needed, more = needed + more, 2 * more
+    return points[: needed + 1]
 
 
 def chains_of(strokes: Sequence[Stroke]) -> list[list[int]]:

@@ -7,7 +7,8 @@ How a pocket is opened decides elongated pockets and pockets with islands:
 - a *curve*: a slot about a piece of the medial axis (EAS07's center curve), opened
   as a racetrack so that no post remains and nothing reverses;
 - an *island ring*: once round all islands, joined by bridges. After that no front
-  ever meets an island; everything is laps outwards to the outer wall.
+  ever meets an island; everything is laps outwards to the outer wall;
+- the *outline*: once round the wall, and inwards from there (outline.py).
 """
 
 from __future__ import annotations
@@ -26,6 +27,8 @@ from .floor import Groove, Helix, Slot
 from .fronts import buffer, largest, oriented
 from .graphs import delaunay_triangles, spanning_tree
 from .model import Floats, PocketRequest
+from .outline import outline_of
+from .polyline import points_at
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
 
@@ -44,6 +47,8 @@ UNFORKED, SPUR = 0.8, 1.6
 NARROW = 1.0
 #: Ends of a groove with this share of the most room are as good.
 ROOMY = 0.8
+#: A wall that bends less than this is as good as straight to begin a spiral at [rad].
+STRAIGHT = 0.4
 #: A groove is tried where a slot's bite stays below the equal one by this.
 CAPPED = 0.95
 #: Half the distance between the ways forth and back of a groove, over D.
@@ -72,7 +77,10 @@ class Start:
         The region to grow in, ringed islands filled.
     entry : Helix, Slot or Groove
     ring : LineString
-        The entry's last lap, closed, from where the entry ends.
+        The entry's last lap, closed, from where the entry ends, stock on its right.
+    within : shapely.Polygon or None
+        Where fronts do not end at the outer wall: all of the cutter-center region that they
+        reach. What is left of the region is corners.
     """
 
     name: str
@@ -80,6 +88,7 @@ class Start:
     omega: Polygon
     entry: Helix | Slot | Groove
     ring: LineString
+    within: Polygon | None = None
 
 
 def slot_bite(request: PocketRequest) -> float:
@@ -118,6 +127,9 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
     # the axis round islands has no one path; a slot along a part of it is a poor start
     ringed = _island_ring(region, request) if region.interiors else None
     starts.extend([ringed] if ringed is not None else _slots(region, axis, request))
+    outlined = _outline(region, axis, request)
+    if outlined is not None:
+        starts.append(outlined)
     if not starts:
         raise (
             failure
@@ -267,25 +279,56 @@ def _slot_start(name: str, visited: Polygon, omega: Polygon, request: PocketRequ
     return Start(name, visited, omega, Slot(points, slot_bite(request)), closed)
 
 
+def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start | None:
+    """Return the slot once round the wall, None where it cannot be."""
+    outline = outline_of(region, request.cutter_radius)
+    if outline is None:
+        return None
+    # beside a middle of the plug lap follows lap for longest, best along a straight wall
+    deep = axis.nodes[axis.clearance > ROOMY * axis.clearance.max(initial=0.0)]
+    if len(deep) == 0:
+        return None
+    zone = BLEND * request.cutter_radius
+    leaves = shapely.line_locate_point(outline.ring, shapely.points(deep)) - zone / 2
+    bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
+    leaves = leaves[bent <= max(STRAIGHT, float(bent.min()))]
+    # programs come from the origin
+    away = np.hypot(*points_at(outline.ring, leaves % outline.ring.length).T)
+    leave = float(leaves[np.argmin(away)])
+    points = between(outline.ring, leave, outline.ring.length)[:-1]
+    ring = LineString(np.vstack([points, points[:1]]))
+    # the wall is cut climb; the plug lies on the other side, so that its laps go the other way
+    there = np.vstack([points[:1], points[:0:-1]])
+    slot = Slot(there, slot_bite(request))
+    return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
+
+
 def straightest(ring: LineString, window: float) -> float:
     """Return where along a ring the next `window` [mm] bends least."""
+    at = np.linspace(0, ring.length, 200, endpoint=False)
+    return float(at[int(np.argmin(bends(ring, at, window)))])
+
+
+def bends(ring: LineString, at: Floats, window: float) -> Floats:
+    """Return by how much a closed ring bends over the next `window` [mm] from places [rad]."""
     coords = shapely.get_coordinates(ring)
     heading = np.unwrap(np.arctan2(*np.diff(coords, axis=0).T[::-1]))
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
-    at = np.linspace(0, ring.length, 200, endpoint=False)
+    # a closed ring turns once, one way or the other
+    turn = 2 * np.pi if shapely.is_ccw(ring) else -2 * np.pi
 
     def heading_at(s: Floats) -> Floats:
         turns = np.floor(s / ring.length)
         edge = np.clip(
             np.searchsorted(along, s % ring.length, side="right") - 1, 0, len(heading) - 1
         )
-        return heading[edge] + 2 * np.pi * turns
+        return heading[edge] + turn * turns
 
-    bends = sum(
+    total = sum(
         np.abs(heading_at(at + (i + 1) * window / 6) - heading_at(at + i * window / 6))
         for i in range(6)
     )
-    return float(at[int(np.argmin(np.round(bends, 3)))])
+    return np.round(total, 3)
 
 
 def _island_ring(region: Polygon, request: PocketRequest) -> Start | None:

@@ -22,7 +22,7 @@ from ..cleared import ClearedMap
 from ..corners import finish_corners
 from ..errors import NotYetError
 from ..floor import FloorPath, Groove, Helix, Pass
-from ..fronts import MAX_FRONTS, FrontRules, grow, oriented
+from ..fronts import MAX_FRONTS, FrontRules, grow, largest, oriented
 from ..groove import groove_path
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
@@ -33,6 +33,7 @@ from ..polyline import simplified
 from ..spiral import between
 from ..starts import Start, candidates
 from ..strokes import Stroke, strokes_of
+from ..timing import polyline_seconds
 from ..toolpath import Role
 
 #: Least radius of reentrant curves, over R.
@@ -43,6 +44,8 @@ FILLET = 1.75
 LEAST_RADIUS = 0.12
 #: A start is hopeless whose farthest wall is farther than this over the nearest one's.
 HOPELESS = 1.5
+#: Places within a region at which that is looked at, along each side.
+GRID = 40
 #: One is given up that needs more levels than this over the best.
 HOPELESS_LEVELS = 1.8
 #: So few levels are always worth simulating.
@@ -86,6 +89,9 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
         if fronts is None:
             continue
         fronts += finish_corners(fronts[-1], start.omega, rules)
+        if start.within is not None:
+            fronts.append(largest(shapely.intersection(fronts[-1], start.within)))
+            fronts += finish_corners(fronts[-1], region, rules)
         most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
         strokes = strokes_of(fronts)
         # no links can make up for entry and cuts that take longer already
@@ -111,15 +117,19 @@ def rules_of(request: PocketRequest) -> FrontRules:
 
 
 def promising(starts: list[Start], region: Polygon, near: float) -> list[Start]:
-    """Return the starts from which the farthest wall is not hopelessly far, the nearest first.
+    """Return the starts from which the farthest place is not hopelessly far, the nearest first.
 
     Fronts from elsewhere would need so many more levels, each with its strokes and links, that
-    simulating them is not worth the time; unless all walls are within `near` [mm].
+    simulating them is not worth the time; unless all places are within `near` [mm].
     """
     if len(starts) == 1:
         return starts
-    walls = _sampled(region.boundary, 2.0)
-    far = np.array([nearest(_sampled(s.visited.exterior, 1.0), walls)[0].max() for s in starts])
+    x0, y0, x1, y1 = region.bounds
+    x, y = np.meshgrid(np.linspace(x0, x1, GRID), np.linspace(y0, y1, GRID))
+    inner = np.column_stack([x.ravel(), y.ravel()])
+    inner = inner[shapely.contains_xy(region, inner)]
+    places = np.vstack([inner, _sampled(region.boundary, 2.0)])
+    far = np.array([_farthest(places, start.visited) for start in starts])
     order = np.argsort(far, kind="stable")
     return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), near)]
 
@@ -127,6 +137,14 @@ def promising(starts: list[Start], region: Polygon, near: float) -> list[Start]:
 def _sampled(line: shapely.Geometry, spacing: float) -> Floats:
     """Return points along lines, at most `spacing` apart [mm]."""
     return shapely.get_coordinates(shapely.segmentize(shapely.simplify(line, 0.05), spacing))
+
+
+def _farthest(places: Floats, visited: Polygon) -> float:
+    """Return how far the farthest of the places is from what is visited [mm]."""
+    outside = places[~shapely.contains_xy(visited, places)]
+    if len(outside) == 0:
+        return 0.0
+    return float(nearest(_sampled(visited.boundary, 1.0), outside)[0].max())
 
 
 def motion_of(request: PocketRequest) -> Motion:
@@ -190,7 +208,7 @@ def _seconds(start: Start, steps: list[Step], request: PocketRequest, motion: Mo
     """Return how long entry, cuts and links take, at the last level [s]."""
     total = _entry_seconds(start, request, motion)
     for step in steps:
-        total += LineString(step.points).length / motion.cut_feed
+        total += _way_seconds(step.points, request, motion)
         if step.link is None:
             total += LIFT_SECONDS
         elif len(step.link):
@@ -198,20 +216,29 @@ def _seconds(start: Start, steps: list[Step], request: PocketRequest, motion: Mo
     return total
 
 
+def _way_seconds(points: Floats, request: PocketRequest, motion: Motion) -> float:
+    """Return how long a way takes at the cutting feed, from and to full speed [s]."""
+    feed, machine = motion.cut_feed, request.machine or MIDDLING
+    if points.shape[1] == 2:
+        points = np.column_stack([points, np.zeros(len(points))])
+    return float(polyline_seconds(points, feed, machine, feed, feed))
+
+
 def _entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float:
     """Return how long the way down takes [s]."""
-    depth, slope = request.axial_depth, math.tan(request.entry.helix_angle)
-    if isinstance(start.entry, Helix):
-        return (depth / slope + start.ring.length) / motion.cut_feed
-    if isinstance(start.entry, Groove):
-        path = groove_path(start.entry, request.entry.helix_angle, depth, 0.0)
-        return LineString(path).length / motion.cut_feed
-    levels = math.ceil(depth / start.entry.bite - 1e-9)
-    return (levels * start.ring.length + depth / levels / slope) / motion.cut_feed
+    entry, angle, depth = start.entry, request.entry.helix_angle, request.axial_depth
+    ring = shapely.get_coordinates(start.ring)
+    once = _way_seconds(ring, request, motion)
+    if isinstance(entry, Helix):
+        return (depth / math.tan(angle) / start.ring.length + 1) * once
+    if isinstance(entry, Groove):
+        return _way_seconds(groove_path(entry, angle, depth, 0.0), request, motion)
+    levels = math.ceil(depth / entry.bite - 1e-9)
+    return levels * once + depth / levels / math.tan(angle) / motion.cut_feed
 
 
 def _cut_seconds(strokes: list[Stroke], motion: Motion) -> float:
-    """Return how long the strokes take without any links [s]."""
+    """Return how long the strokes take at least, without any links [s]."""
     return sum(LineString(s.points).length for s in strokes) / motion.cut_feed
 
 

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Once round the wall: the stock within is then peeled from outside inwards.
+
+The slot's one side is the finished wall, cut climb. What is left is a plug that stands free all
+around. Fronts about it are closed laps down to its middle: no corner is left, nothing is
+linked; and because the stock bends away from the cutter, the step may even exceed the
+step-over at the same engagement.
+
+For the fronts everything outside of the wall counts as visited, so that the wall is no
+boundary of the region to grow in. In corners too sharp for the slot a little stays for
+strokes of their own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import shapely
+from shapely import LineString, Polygon
+
+from .fronts import buffer, largest, oriented
+from .region import polygons_of
+
+#: The slot rounds the wall's corners with at least this radius, over R.
+ROUNDING = 0.15
+#: Width of the ground that the slot opens for the cutter's center, over R.
+WIDTH = 0.01
+#: How far the ground outside of the wall reaches, over R: farther than any fillet or closing.
+MARGIN = 4.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outline:
+    """What a slot along the wall opens.
+
+    Attributes
+    ----------
+    ring : LineString
+        Closed, clockwise [mm].
+    visited : shapely.Polygon
+        All but the plugs.
+    omega : shapely.Polygon
+        The cutter-center region and all that lies outside of its wall.
+    within : shapely.Polygon
+        The cutter-center region, its corners rounded as the slot does.
+    """
+
+    ring: LineString
+    visited: Polygon
+    omega: Polygon
+    within: Polygon
+
+
+def outline_of(region: Polygon, radius: float) -> Outline | None:
+    """Return what a slot along the outer wall opens; None where it would not reach round.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        The cutter-center region.
+    radius : float
+        R [mm].
+    """
+    filled = Polygon(region.exterior)
+    rounded = buffer(buffer(filled, -ROUNDING * radius), ROUNDING * radius)
+    parts = polygons_of(shapely.intersection(rounded, filled))
+    if len(parts) != 1 or parts[0].interiors:
+        return None
+    within = shapely.intersection(parts[0], region)
+    if not isinstance(within, Polygon) or len(within.interiors) != len(region.interiors):
+        return None
+    plugs = polygons_of(buffer(parts[0], -WIDTH * radius))
+    around = shapely.box(*region.bounds).buffer(MARGIN * radius, join_style="mitre")
+    visited = oriented(largest(shapely.difference(around, shapely.union_all(plugs))))
+    omega = oriented(
+        Polygon(around.exterior, [shapely.get_coordinates(r) for r in region.interiors])
+    )
+    ring = LineString(shapely.get_coordinates(oriented(parts[0]).exterior)[::-1])
+    return Outline(ring, visited, omega, oriented(within))
