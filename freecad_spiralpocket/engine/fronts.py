@@ -80,10 +80,10 @@ def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:
         [mm], in ``(0, WIDEST * stepover]``.
     """
     r, s = rules.cutter_radius, rules.cutter_radius * np.sin(rules.limit)
-    rho = r + 1 / np.where(np.abs(curvature) < 1e-6, 1e-6, curvature)
+    k = np.where(np.abs(curvature) < 1e-6, 1e-6, curvature)
     widest = WIDEST * rules.stepover
     # stock that is tighter than this may be taken as deeply as anything is
-    rho = np.where(curvature < 0, np.minimum(rho, -s), rho)
+    rho = np.where(k < 0, np.minimum(r + 1 / k, -s), r + 1 / k)
     root = np.sqrt(rho**2 - s**2)
     # rho - root without cancellation
     return np.minimum(rules.stepover - s**2 / (rho + np.copysign(root, rho)), widest)

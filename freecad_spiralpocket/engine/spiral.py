@@ -35,7 +35,7 @@ SLIM = 0.5
 #: The way across is evened out over so much [mm].
 EVEN = 1.0
 #: Places to leave a lap that are looked at, on long ones one in so many R.
-ZONES, APART = 8, 4.0
+ZONES, APART = 8, 1.5
 #: Distance of samples of the stock that the last lap of a plug takes, over R.
 SAMPLING = 0.06
 #: So little of that stock is none [mm2].
