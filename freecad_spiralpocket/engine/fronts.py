@@ -177,7 +177,9 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         moved = shapely.union(moved, buffer(visited, least))
     closed = _closed(moved, visited, omega, rules, CLOSINGS)
     grown = _filleted(shapely.intersection(closed, omega), rules.fillet, omega)
-    return shapely.simplify(largest(shapely.union(grown, visited)), 0.002)
+    front = shapely.simplify(largest(shapely.union(grown, visited)), 0.002)
+    # a tiny hole beside the rim may come to lie outside
+    return front if front.is_valid else largest(shapely.make_valid(front))
 
 
 def _without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:

@@ -77,7 +77,13 @@ def delaunay_triangles(points: Floats) -> NDArray[np.intp]:
 
     Of points at the same place only the first is used; there are none if all are in line.
     """
-    parts = shapely.delaunay_triangles(shapely.multipoints(points))
+    try:
+        parts = shapely.delaunay_triangles(shapely.multipoints(points))
+    except shapely.GEOSException:
+        # GEOS now and then does not find its way; Qhull always does, but takes long to load
+        from scipy.spatial import Delaunay
+
+        return Delaunay(points).simplices.astype(np.intp)
     corners = shapely.get_coordinates(shapely.get_parts(parts)).reshape(-1, 4, 2)[:, :3]
     _, first, same = np.unique(
         np.vstack([points, corners.reshape(-1, 2)]), axis=0, return_index=True, return_inverse=True

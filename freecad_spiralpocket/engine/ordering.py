@@ -45,6 +45,10 @@ TRIED = 8
 ROUTED = 6
 #: A spiral goes on to the next lap where that is no farther than this over the step-over.
 WIDEST = 1.3
+#: And no farther than this over R, for else a cusp may stay between two turns.
+WITHOUT_CUSPS = 1.6
+#: So many of a spiral's last laps are looked at for what they leave: in its zone each lags behind.
+LAST = 3
 #: The same about a plug: where it is farther there the plug's corners are rounded.
 WIDEST_INWARDS = 2.2
 #: So many of the fastest links are checked point by point.
@@ -166,7 +170,9 @@ def _spiral(
     """
     first = strokes[chain[0]]
     laps = [closed_line(strokes[i].points) for i in chain]
-    widest = (WIDEST if first.exterior else WIDEST_INWARDS) * stepover
+    widest = WIDEST * stepover
+    if not first.exterior:
+        widest = min(WIDEST_INWARDS * stepover, WITHOUT_CUSPS * radius)
     if first.level == 1 and _begins_on(ring, laps[0], first.exterior, radius, widest):
         source, at = ring, np.zeros(1)
     else:
@@ -187,12 +193,18 @@ def _spiral(
         place += further
         count += 1
     taken = laps[:count]
-    last = [strokes[i] for i in chain[:count][-2:]]
+    last = [strokes[i] for i in chain[:count][-LAST:]]
     stock = None if first.exterior else _taken_by(last, fronts, radius)
 
     def way(start: float) -> Floats:
         points = spiral_through(source, start, taken, radius, widest)
-        return points if stock is None else without_air(points, stock, radius)
+        if stock is None:
+            return points
+        trimmed = without_air(points, stock, radius)
+        if trimmed is None:
+            points = spiral_through(source, start, taken, radius, widest, LAST)
+            trimmed = without_air(points, stock, radius)
+        return points if trimmed is None else trimmed
 
     starts, ahead = points_at(source, at), points_at(source, (at + 0.2) % source.length)
     return count, Run(

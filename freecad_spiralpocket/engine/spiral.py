@@ -37,7 +37,7 @@ EVEN = 1.0
 #: Places to leave a lap that are looked at, on long ones one in so many R.
 ZONES, APART = 8, 1.5
 #: Distance of samples of the stock that the last lap of a plug takes, over R.
-SAMPLING = 0.06
+SAMPLING = 0.2
 #: So little of that stock is none [mm2].
 CRUMB = 1e-3
 #: Share of the zone over which that angle builds up, and dies away.
@@ -161,6 +161,7 @@ def spiral_through(
     laps: Sequence[LineString],
     radius: float,
     widest: float = np.inf,
+    whole: int = 1,
 ) -> Floats:
     """Return the spiral from `first`, which is already cut, through `laps`.
 
@@ -169,11 +170,13 @@ def spiral_through(
     first : LineString
         Closed; left at `start` [mm] along it.
     laps : sequence of LineString
-        Closed, each outside of the one before, in the same direction.
+        Closed, each beside the one before, in the same direction.
     radius : float
         R [mm].
     widest : float, optional
         A lap goes on until the next is so near [mm].
+    whole : int, optional
+        So many of the last laps run on through their own zone, where each lags behind.
 
     Returns
     -------
@@ -189,17 +192,17 @@ def spiral_through(
         # the next blend begins beside the place where this one began
         leave = lap.project(shapely.Point(way[0]))
         run = (leave - landed) % lap.length
-        if i == len(laps) - 1:
-            run += (landed - leave) % lap.length  # through the zone once more
-        else:
-            run += onward(lap, leave, laps[i + 1], radius, widest) or 0.0
+        if i >= len(laps) - whole:
+            run += (landed - leave) % lap.length
+        if i < len(laps) - 1:
+            run += onward(lap, (landed + run) % lap.length, laps[i + 1], radius, widest) or 0.0
         pieces.append(between(lap, landed, run)[1:])
         here, at = lap, (landed + run) % lap.length
     return np.vstack(pieces)
 
 
-def without_air(points: Floats, stock: Region, reach: float) -> Floats:
-    """Return a path up to where nothing of `stock` is left that is within `reach` of it.
+def without_air(points: Floats, stock: Region, reach: float) -> Floats | None:
+    """Return a path up to where all of `stock` has been within `reach` of it; None if it never is.
 
     Parameters
     ----------
@@ -228,12 +231,13 @@ def without_air(points: Floats, stock: Region, reach: float) -> Floats:
     first, needed = int(earliest.min()), int(earliest.max()) + 1
     # between the samples a little may stand yet
     more = 1
-    while needed < len(points):
+    while True:
         way = LineString(points[first : needed + 1])
         if shapely.difference(stock, shapely.buffer(way, reach, quad_segs=32)).area < CRUMB:
-            break
+            return points[: needed + 1]
+        if needed >= len(points):
+            return None
         needed, more = needed + more, 2 * more
-    return points[: needed + 1]
 
 
 def chains_of(strokes: Sequence[Stroke]) -> list[list[int]]:
