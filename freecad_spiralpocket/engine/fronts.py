@@ -216,7 +216,8 @@ def _closed(
     fills = fills[shapely.area(fills) > SLIVER]
     if len(fills) == 0:
         return closed
-    corner = _are_corners(fills, moved)
+    # only a plug's corners: elsewhere strokes, not laps, would have to take so much
+    corner = _are_corners(fills, moved) & shapely.contains(Polygon(visited.exterior), fills)
     edge = shapely.intersection(closed, omega).boundary
     far = fills[_are_beyond(fills, corner, visited, edge, rules)]
     if len(far) == 0:

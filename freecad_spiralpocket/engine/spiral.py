@@ -207,7 +207,7 @@ def without_air(points: Floats, stock: Region, reach: float) -> Floats | None:
     Parameters
     ----------
     points : ndarray of shape (n, 2)
-        [mm]
+        Close together against `reach` [mm].
     stock : shapely.Polygon or MultiPolygon
         That stands before, outside of the reach of nearly all of the path.
     reach : float
@@ -224,7 +224,7 @@ def without_air(points: Floats, stock: Region, reach: float) -> Floats | None:
     tree = shapely.STRtree(shapely.points(points))
     sample, hit = tree.query(shapely.points(samples), predicate="dwithin", distance=reach)
     if len(hit) == 0:
-        return points
+        return None
     earliest = np.full(len(samples), len(points))
     np.minimum.at(earliest, sample, hit)
     earliest = earliest[earliest < len(points)]

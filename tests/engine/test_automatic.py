@@ -11,6 +11,7 @@ import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from shapely import LineString, Point, Polygon, box
 from shapely.affinity import rotate, scale, translate
+from shapely.geometry.polygon import orient
 from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TRIANGLE, convex_pockets
 from shapes import request as make_request
 
@@ -114,18 +115,28 @@ def test_pocket_and_cutter_of_another_size_are_planned(factor):
 def test_conventional_runs_the_other_way_round():
     climb = automatic(L_SHAPE)
     other = automatic(L_SHAPE, cutting=Cutting(2.4, CutMode.CONVENTIONAL))
-    assert turning(climb) > 2 * math.pi
-    assert turning(other) < -2 * math.pi
+    # the spindle turns clockwise: climb milling keeps the wall on the right
+    assert wall_on_the_right(climb) > 0.95
+    assert wall_on_the_right(other) < 0.05
     assert other.report.time == pytest.approx(climb.report.time, rel=0.05)
     assert other.report.uncut_area < 0.01 and other.report.gouge <= 0.01
 
 
-def turning(result: Plan) -> float:
-    """Return how far all cuts turn in sum, counter-clockwise positive [rad]."""
-    cuts = result.toolpath.roles == Role.CUT
-    steps = (result.toolpath.points - result.toolpath.starts)[cuts, :2]
-    headings = np.arctan2(steps[:, 1], steps[:, 0])
-    return float(((np.diff(headings) + np.pi) % (2 * np.pi) - np.pi).sum())
+def wall_on_the_right(result: Plan) -> float:
+    """Return which share of the way cut along the wall has it on the right."""
+    path, request = result.toolpath, result.request
+    wall = LineString(orient(request.pocket.buffer(-request.cutter_radius)).exterior.coords)
+    cutting = np.isin(path.roles, (Role.CUT, Role.ENTRY)) & (path.starts[:, 2] <= -4.99)
+    lines = zip(path.starts[cutting, :2], path.points[cutting, :2], strict=True)
+    right = total = 0.0
+    for a, b in lines:
+        if max(wall.distance(Point(a)), wall.distance(Point(b))) < 0.01:
+            length = float(np.hypot(*(b - a)))
+            d = (wall.project(Point(b)) - wall.project(Point(a))) % wall.length
+            total += length
+            right += length if d < wall.length / 2 else 0.0
+    assert total > 100
+    return right / total
 
 
 def test_same_request_gives_the_same_path():

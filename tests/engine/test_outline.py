@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Once round the wall and inwards: one spiral, gentle, all of it cut."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+from shapely import LineString, Point, Polygon, box
+from shapes import DUMBBELL, L_SHAPE, SQUARE, request
+
+from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.fronts import FrontRules, engagement_step
+from freecad_spiralpocket.engine.laps import automatic
+from freecad_spiralpocket.engine.model import Cutting, Strategy
+from freecad_spiralpocket.engine.outline import outline_of
+from freecad_spiralpocket.engine.spiral import closed_line, ends_of, spiral_through, without_air
+from freecad_spiralpocket.engine.toolpath import Role
+
+R = 3.0
+ROUND = Point(0, 0).buffer(30, quad_segs=64)
+POCKETS = {"square": SQUARE, "L": L_SHAPE, "dumbbell": DUMBBELL, "round": ROUND}
+
+
+def regions(pocket: Polygon) -> Polygon:
+    return pocket.buffer(-R, quad_segs=32)
+
+
+@pytest.fixture
+def only_outline(monkeypatch):
+    """Let Automatic open pockets along their walls only."""
+    every = automatic.candidates
+
+    def outline(region, asked):
+        return [start for start in every(region, asked) if start.name == "outline"]
+
+    monkeypatch.setattr(automatic, "candidates", outline)
+
+
+@pytest.mark.parametrize("name", POCKETS)
+def test_pocket_is_cleared_inwards(name, only_outline):
+    report = plan(request(POCKETS[name], strategy=Strategy.AUTOMATIC)).report
+    assert report.uncut_area < 0.01
+    assert report.gouge <= 0.01
+    assert report.rapid_hit == 0 and report.link_hit == 0
+    assert report.engagement_p99 <= report.engagement_limit + math.radians(6)
+
+
+def test_round_pocket_is_one_spiral_without_links(only_outline):
+    made = plan(request(ROUND, strategy=Strategy.AUTOMATIC))
+    roles = made.toolpath.roles
+    assert not (roles == Role.LINK).any()
+    cuts = np.flatnonzero(roles == Role.CUT)
+    assert (np.diff(cuts) == 1).all()
+
+
+def test_laps_of_a_round_plug_keep_the_engagement_exactly():
+    # the plug's radius p: the cutter at distance d from its middle, rim and plug meet at the limit
+    rules = FrontRules(R, math.acos(1 - 2.4 / R), 4.0, 4.2)
+    for front in (40.0, 25.0):
+        step = float(engagement_step(np.array([-1 / front]), rules)[0])
+        plug, d = front - R, front - step
+        angle = math.acos((R**2 + d**2 - plug**2) / (2 * R * d))
+        assert angle == pytest.approx(rules.limit, abs=1e-9)
+        assert step > rules.stepover
+
+
+def test_sharp_corners_stay_for_strokes_and_are_cut(only_outline):
+    sharp = box(0, 0, 40, 40)
+    outline = outline_of(regions(sharp), R)
+    corner = Point(R, R)
+    assert outline.within.distance(corner) > 0.05
+    made = plan(request(sharp, strategy=Strategy.AUTOMATIC))
+    assert made.report.uncut_area < 0.01
+    ends = made.toolpath.points[made.toolpath.roles == Role.CUT][:, :2]
+    assert shapely.distance(LineString(ends), corner) < 0.02
+
+
+@pytest.mark.parametrize("name", POCKETS)
+def test_wall_is_no_boundary_of_the_region_to_grow_in(name):
+    region = regions(POCKETS[name])
+    outline = outline_of(region, R)
+    assert outline.omega.contains(region)
+    # all but the plugs is visited, and the ring runs along the wall
+    left = outline.omega.difference(outline.visited)
+    assert region.buffer(1e-6).contains(left)
+    assert left.area == pytest.approx(region.area, rel=0.01)
+    assert shapely.hausdorff_distance(outline.ring, region.exterior) < 0.2
+    assert not shapely.is_ccw(outline.ring)
+
+
+def test_neck_narrower_than_the_slot_stays_one_ring():
+    neck = box(0, 0, 30, 30).union(box(29, 11, 61, 19)).union(box(60, 0, 90, 30))
+    assert outline_of(regions(neck), R) is not None
+
+
+def test_path_ends_where_nothing_is_left():
+    # a rib of 1 mm: one side of the lap round it takes all
+    stock = box(-20, -0.5, 20, 0.5)
+    hole, lap = (stock.buffer(R + d).exterior.segmentize(0.5).coords for d in (0.1, -1.1))
+    hole, lap = closed_line(hole[:-1]), closed_line(lap[:-1])
+    path = spiral_through(hole, ends_of(hole, lap, R, 2.4)[0], [lap], R)
+    trimmed = without_air(path, stock, R)
+    assert LineString(trimmed).length < 0.8 * LineString(path).length
+    assert stock.difference(LineString(trimmed).buffer(R, quad_segs=32)).area < 2e-3
+
+
+def test_path_that_leaves_stock_is_not_cut_short():
+    far = box(-20, 10, 20, 11)
+    lap = shapely.get_coordinates(box(-20, -1, 20, 1).exterior.segmentize(0.5))
+    assert without_air(lap, far, R) is None
+    half = far.union(box(-20, -0.5, 20, 0.5))
+    assert without_air(lap, half, R) is None
+
+
+def test_small_step_over_is_planned(only_outline):
+    made = plan(request(SQUARE, strategy=Strategy.AUTOMATIC, cutting=Cutting(0.9)))
+    assert made.report.uncut_area < 0.01
+    assert made.report.engagement_p99 <= made.report.engagement_limit + math.radians(8)
