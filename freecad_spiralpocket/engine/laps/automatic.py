@@ -22,7 +22,7 @@ from ..cleared import ClearedMap
 from ..corners import finish_corners
 from ..errors import NotYetError
 from ..floor import FloorPath, Groove, Helix, Pass
-from ..fronts import MAX_FRONTS, FrontRules, grow, largest, oriented
+from ..fronts import MAX_FRONTS, SLIVER, FrontRules, grow, largest, oriented
 from ..groove import groove_path
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
@@ -90,8 +90,7 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
             continue
         fronts += finish_corners(fronts[-1], start.omega, rules)
         if start.within is not None:
-            fronts.append(largest(shapely.intersection(fronts[-1], start.within)))
-            fronts += finish_corners(fronts[-1], region, rules)
+            fronts = _with_corners(fronts, start.within, region, rules)
         most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
         strokes = strokes_of(fronts)
         # no links can make up for entry and cuts that take longer already
@@ -108,6 +107,23 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
         )
     start, steps = best
     return FloorPath(start.entry, passes_of(steps, request))
+
+
+def _with_corners(
+    fronts: list[Polygon], within: Polygon, region: Polygon, rules: FrontRules
+) -> list[Polygon]:
+    """Return fronts that reach beyond the wall, without the corners that a slot along it leaves.
+
+    What follows takes these.
+    """
+    corners = shapely.get_parts(shapely.difference(region, within))
+    corners = corners[shapely.area(corners) > SLIVER]
+    if len(corners) == 0:
+        return fronts
+    outside = shapely.union_all(corners)
+    fronts = [largest(shapely.difference(front, outside)) for front in fronts]
+    inside = largest(shapely.intersection(fronts[-1], within))
+    return [*fronts, inside, *finish_corners(inside, region, rules)]
 
 
 def rules_of(request: PocketRequest) -> FrontRules:
