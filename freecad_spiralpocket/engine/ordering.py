@@ -216,15 +216,18 @@ def _spiral(
 
 
 def _taken_by(laps: Sequence[Stroke], fronts: Sequence[Polygon], radius: float) -> Region | None:
-    """Return the stock that laps about a plug take; None where they run along an island's wall."""
+    """Return the stock that the last laps about a plug take.
+
+    None where some is left after them, or where they run along an island's wall.
+    """
     inside = Polygon(laps[-1].points).representative_point()
     around = [Polygon(ring) for ring in fronts[laps[0].level - 1].interiors]
     hole = next((h for h in around if h.contains(inside)), None)
     if hole is None or any(hole.contains(Polygon(ring)) for ring in fronts[-1].interiors):
         return None
     left = [Polygon(ring) for ring in fronts[laps[-1].level].interiors]
-    after = [buffer(h, -radius) for h in left if hole.intersects(h)]
-    return shapely.difference(buffer(hole, -radius), shapely.union_all(after))
+    after = [h for h in left if hole.intersects(h) and not buffer(h, -radius).is_empty]
+    return None if after else buffer(hole, -radius)
 
 
 def _begins_on(

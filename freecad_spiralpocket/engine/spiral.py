@@ -38,8 +38,8 @@ EVEN = 1.0
 ZONES, APART = 8, 1.5
 #: Distance of samples of the stock that the last lap of a plug takes, over R.
 SAMPLING = 0.2
-#: So little of that stock is none [mm2].
-CRUMB = 1e-3
+#: So little of that stock is none [mm2], and the path runs on so far, over R.
+CRUMB, RUN_ON = 1e-4, 0.3
 #: Share of the zone over which that angle builds up, and dies away.
 EASE = 0.2
 
@@ -234,7 +234,8 @@ def without_air(points: Floats, stock: Region, reach: float) -> Floats | None:
     while True:
         way = LineString(points[first : needed + 1])
         if shapely.difference(stock, shapely.buffer(way, reach, quad_segs=32)).area < CRUMB:
-            return points[: needed + 1]
+            along = np.cumsum(np.hypot(*np.diff(points[needed:], axis=0).T))
+            return points[: needed + 2 + int(np.searchsorted(along, RUN_ON * reach))]
         if needed >= len(points):
             return None
         needed, more = needed + more, 2 * more

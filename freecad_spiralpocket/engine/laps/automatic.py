@@ -194,7 +194,9 @@ def _steps(
         )
         for m in mouths
     ]
-    cleared = ClearedMap(fronts, strokes, region, late, radius, request.tool_diameter / PIXELS)
+    # about a plug's rounded corner the next lap is farther away than R
+    reach = radius if start.within is None else 2 * radius
+    cleared = ClearedMap(fronts, strokes, region, late, reach, request.tool_diameter / PIXELS)
     runs = runs_of(strokes, fronts, start.ring, radius, request.cutting.stepover)
     here, ahead = shapely.get_coordinates(start.ring)[:2]
     heading = (ahead - here) / np.hypot(*(ahead - here))
