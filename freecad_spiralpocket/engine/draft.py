@@ -42,12 +42,15 @@ class Opening:
     ----------
     visited, omega : shapely.Polygon
         See `starts.Start`.
+    walls : shapely.Polygon
+        The region whose boundary the last laps run along.
     ring : ndarray of shape (n, 2)
         The entry's last lap [mm].
     """
 
     visited: Polygon
     omega: Polygon
+    walls: Polygon
     ring: Floats
 
 
@@ -87,7 +90,9 @@ def openings(request: PocketRequest) -> list[Opening]:
         starts = candidates(region, request)
         near = automatic.FEW * request.cutting.stepover
         start = automatic.promising(starts, region, near)[0]
-        found.append(Opening(start.visited, start.omega, shapely.get_coordinates(start.ring)))
+        walls = start.omega if start.within is None else region
+        ring = shapely.get_coordinates(start.ring)
+        found.append(Opening(start.visited, start.omega, walls, ring))
     return found
 
 
@@ -128,7 +133,7 @@ def _laps(opening: Opening, rules: FrontRules) -> list[Floats]:
             break
         laps += _lines(shapely.difference(grown.boundary, wall))
         visited = grown
-    return laps + _lines(opening.omega.boundary)
+    return laps + _lines(opening.walls.boundary)
 
 
 def _advanced(visited: Polygon, omega: Polygon, rules: FrontRules, coarse: float) -> Polygon | None:
