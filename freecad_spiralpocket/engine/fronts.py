@@ -212,14 +212,17 @@ def _closed(
         return moved
     radius = shares[0] * rules.closing
     closed = buffer(buffer(moved, radius), -radius)
+    if _is_reached(closed, moved, visited, rules):
+        return closed
     fills = shapely.get_parts(shapely.difference(closed, moved))
     fills = fills[shapely.area(fills) > SLIVER]
     if len(fills) == 0:
         return closed
+    edges = _new_edges(fills, moved)
     # only a plug's corners: elsewhere strokes, not laps, would have to take so much
-    corner = _are_corners(fills, moved) & shapely.contains(Polygon(visited.exterior), fills)
+    corner = (edges == 1) & shapely.contains_properly(Polygon(visited.exterior), fills)
     edge = shapely.intersection(closed, omega).boundary
-    far = fills[_are_beyond(fills, corner, visited, edge, rules)]
+    far = fills[_are_beyond(fills, corner, edges == 0, visited, edge, rules)]
     if len(far) == 0:
         return closed
     pieces = [shapely.difference(closed, shapely.union_all(far))]
@@ -232,27 +235,40 @@ def _closed(
     return shapely.union_all(pieces)
 
 
-def _are_corners(fills: NDArray[np.object_], moved: Region) -> NDArray[np.bool_]:
-    """Return which fills have one new edge: others join two fronts, or close a hole."""
+def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRules) -> bool:
+    """Return whether surely all that was filled is within reach of `visited`; quick."""
+    holes = [sum(len(p.interiors) for p in polygons_of(shape)) for shape in (closed, moved)]
+    if holes[0] < holes[1]:
+        return False
+    shapely.prepare(visited)
+    points = shapely.points(shapely.get_coordinates(closed))
+    return bool(shapely.dwithin(visited, points, REACHED * rules.cutter_radius).all())
+
+
+def _new_edges(fills: NDArray[np.object_], moved: Region) -> NDArray[np.intp]:
+    """Return how many new edges each fill has: none closes a hole, two join two fronts."""
+    rings = shapely.segmentize(shapely.get_exterior_ring(fills), EDGE)
+    coords, of = shapely.get_coordinates(rings, return_index=True)
     shapely.prepare(moved)
-    corner = np.zeros(len(fills), dtype=bool)
-    for i, fill in enumerate(fills):
-        points = shapely.get_coordinates(fill.exterior.segmentize(EDGE))[:-1]
-        new = ~shapely.dwithin(moved, shapely.points(points), NEW)
-        corner[i] = np.count_nonzero(new & ~np.roll(new, 1)) == 1 and not fill.interiors
-    return corner
+    new = ~shapely.dwithin(moved, shapely.points(coords), NEW)
+    # a ring's last point is its first
+    begins = new[1:] & ~new[:-1] & (of[1:] == of[:-1])
+    edges = np.bincount(of[1:][begins], minlength=len(fills))
+    whole = np.bincount(of, weights=~new, minlength=len(fills)) == 0
+    return np.where(whole, 1, edges) + shapely.get_num_interior_rings(fills)
 
 
 def _are_beyond(
     fills: NDArray[np.object_],
     corner: NDArray[np.bool_],
+    closing: NDArray[np.bool_],
     visited: Polygon,
     edge: Region,
     rules: FrontRules,
 ) -> NDArray[np.bool_]:
     """Return which fills the cutter does not clear wholly.
 
-    It goes round `visited`, and where a corner is rounded then along its new edge.
+    It goes round `visited`, and where a `corner` is rounded then along its new edge.
     """
     reach = REACHED * rules.cutter_radius
     coords, of = shapely.get_coordinates(fills, return_index=True)
@@ -264,7 +280,7 @@ def _are_beyond(
     beyond = np.zeros(len(fills), dtype=bool)
     beyond[of[lost]] = True
     # the middle of a wide piece may be out of reach though its rim is not
-    for i in np.flatnonzero(~beyond & (~corner | (shapely.area(fills) > reach**2))):
+    for i in np.flatnonzero(~beyond & (closing | (shapely.area(fills) > reach**2))):
         x0, y0, x1, y1 = fills[i].bounds
         window = shapely.box(x0 - reach, y0 - reach, x1 + reach, y1 + reach)
         around = (visited, edge) if corner[i] else (visited,)
