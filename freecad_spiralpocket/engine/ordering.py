@@ -55,6 +55,8 @@ WIDEST_INWARDS = 2.2
 CHECKED = 160
 #: Points of a link as it is cut.
 FINE = 193
+#: A run that begins so near to where the last one ended needs no link [mm]; it would be a hairpin.
+TOUCHES = 0.03
 #: A link that may not leave the region may still do so by this much [mm].
 SLACK = 0.003
 
@@ -317,7 +319,7 @@ def _next(
     radius: float,
 ) -> tuple[Floats | None, int]:
     """Return the fastest admissible link and the way that it leads to, `ready` nearest first."""
-    if np.hypot(*(starts[ready[0]] - start)) < 1e-6:
+    if np.hypot(*(starts[ready[0]] - start)) < TOUCHES:
         return np.empty((0, 2)), ready[0]
     for first in range(0, len(ready), TRIED):
         tried = ready[first : first + TRIED]
