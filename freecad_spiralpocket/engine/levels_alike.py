@@ -51,18 +51,22 @@ def _twin_pieces(pieces: Pieces) -> NDArray[np.int64]:
     cutting = ~pieces.rapid
     heights = np.round(pieces.heights / SAME_HEIGHT).astype(np.int64)
     flat = np.flatnonzero(cutting & pieces.is_level)
-    known: list[NDArray[np.int64]] = []
+    known: dict[tuple[int, ...], list[NDArray[np.int64]]] = {}
+    # levels alike begin at the same place: a cell, or the one beside it
+    cells = np.round(pieces.starts / (2 * SAME_HEIGHT)).astype(np.int64)
     for height in np.unique(heights[flat])[::-1]:
         level = flat[heights[flat] == height]
         deep = cutting[: level[-1] + 1] & (heights[: level[-1] + 1] <= height)
         if np.count_nonzero(deep) != len(level):
             continue  # something else has been at this depth or deeper before its end
-        for other in known:
+        x, y = cells[level[0]].tolist()
+        around = [(len(level), x + i, y + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+        for other in (o for key in around for o in known.get(key, ())):
             if _alike(pieces, level, other):
                 twins[level] = other
                 break
         else:
-            known.append(level)
+            known.setdefault((len(level), x, y), []).append(level)
     return twins
 
 
