@@ -22,8 +22,8 @@ from ..engine.toolpath import Kind, Toolpath
 #: Decimals of coordinates in mm: dressups join the path to one wire, for which a helical arc must
 #: end within 1e-7 mm of where the next move begins. Posts round for themselves.
 DECIMALS = 9
-#: What is less is zero [mm].
-ZERO = 5e-8
+#: What is less below zero is zero: posts print up to four decimals of it [mm].
+ZERO = 5e-5
 #: Decimals that posts write by default.
 POST_DECIMALS = 3
 
@@ -92,7 +92,7 @@ def without_last_lift(commands: list[Any]) -> list[Any]:
 def _rounded(values: Floats) -> Floats:
     """Return `values` rounded, without what is zero but for rounding: posts print it as -0.000."""
     rounded = np.round(values, DECIMALS)
-    return np.where(np.abs(rounded) < ZERO, 0.0, rounded)
+    return np.where((rounded <= 0) & (rounded > -ZERO), 0.0, rounded)
 
 
 def _is_same_rapid(commands: list[Any], command: Any) -> bool:
