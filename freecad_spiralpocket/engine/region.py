@@ -18,8 +18,9 @@ from shapely.geometry.polygon import orient
 from .errors import CutterDoesNotFitError
 from .model import Notice
 
-#: Largest distance between a buffer's polygon and its true arcs [mm].
-BUFFER_SAG = 0.001
+#: Largest distance between a buffer's polygon and its true arcs [mm]; around cutter-center regions
+#: of small cutters over R.
+BUFFER_SAG, FINE_SAG = 0.001, 1 / 3000
 #: A left-over piece that takes a disc of this share of the cutter's radius is told about; the
 #: piece in a square corner takes 0.17.
 TOLD_SHARE = 0.3
@@ -37,9 +38,11 @@ def quad_segments(radius: float, sag: float = BUFFER_SAG) -> int:
     return max(8, math.ceil(math.pi / 2 / step))
 
 
-def grow(shape: Polygon | MultiPolygon, distance: float) -> Polygon | MultiPolygon:
-    """Return `shape` grown by `distance` [mm] (shrunk if negative), arcs within `BUFFER_SAG`."""
-    return shapely.buffer(shape, distance, quad_segs=quad_segments(distance))
+def grow(
+    shape: Polygon | MultiPolygon, distance: float, sag: float = BUFFER_SAG
+) -> Polygon | MultiPolygon:
+    """Return `shape` grown by `distance` [mm] (shrunk if negative), arcs within `sag` [mm]."""
+    return shapely.buffer(shape, distance, quad_segs=quad_segments(distance, sag))
 
 
 def polygons_of(shape: shapely.Geometry) -> list[Polygon]:
@@ -72,7 +75,7 @@ def center_regions(pocket: Polygon, cutter_radius: float, stock: float) -> list[
         If there is no such place.
     """
     inset = cutter_radius + stock
-    regions = polygons_of(grow(pocket, -inset))
+    regions = polygons_of(grow(pocket, -inset, min(BUFFER_SAG, FINE_SAG * cutter_radius)))
     if not regions:
         place, radius = widest_disc(pocket)
         left = f" with {stock:g} mm of stock to leave" if stock else ""

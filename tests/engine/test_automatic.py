@@ -10,15 +10,19 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from shapely import LineString, Point, Polygon, box
-from shapely.affinity import rotate, scale, translate
+from shapely.affinity import rotate, translate
 from shapely.geometry.polygon import orient
 from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TRIANGLE, convex_pockets
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
+from freecad_spiralpocket.engine.findings import TOUCH
 from freecad_spiralpocket.engine.fronts import FrontRules, engagement_step
+from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
+from freecad_spiralpocket.engine.region import center_regions
+from freecad_spiralpocket.engine.sizes import resized, resized_path, resized_request
 from freecad_spiralpocket.engine.starts import slot_bite
 from freecad_spiralpocket.engine.toolpath import Role
 
@@ -96,20 +100,37 @@ def test_turning_and_shifting_the_pocket_changes_little(angle):
     assert after.time == pytest.approx(before.time, rel=0.05)
 
 
+@pytest.mark.parametrize("name", ["L", "islands"])
 @pytest.mark.parametrize("factor", [0.1, 10.0])
-def test_pocket_and_cutter_of_another_size_are_planned(factor):
-    request = make_request(scale(SQUARE, factor, factor, origin=(0, 0)))
-    heights = Heights(8, 3, 0, -5 * factor, 6 * factor)
-    result = plan(
-        replace(
-            request,
-            tool_diameter=6 * factor,
-            cutting=Cutting(2.4 * factor),
-            heights=replace(heights, clearance=80, safe=30),
-        )
-    )
+def test_pocket_and_cutter_of_another_size_are_planned_as_well(name, factor):
+    made = make_request(POCKETS[name], strategy=Strategy.AUTOMATIC)
+    result = plan(resized_request(made, factor))
     assert result.report.uncut_area < 0.01 * factor**2
-    assert result.report.gouge <= 0.01
+    assert result.report.gouge <= 0.01 * factor
+    assert result.report.rapid_hit == 0
+    assert result.report.link_hit <= TOUCH * factor
+    assert lifts(result) == 1
+
+
+@pytest.mark.parametrize(("radius", "tolerance"), [(0.3, 0.01), (9.0, 0.01), (3.0, 0.1)])
+def test_size_and_tolerance_need_not_go_together(radius, tolerance):
+    made = make_request(L_SHAPE, strategy=Strategy.AUTOMATIC)
+    result = plan(replace(resized_request(made, radius / 3.0), tolerance=tolerance))
+    assert result.report.uncut_area < 0.01 * max(1.0, radius / 3.0) ** 2
+    assert result.report.gouge <= tolerance + 0.005
+
+
+def test_all_else_resized_too_the_path_is_the_same():
+    made = make_request(L_SHAPE, strategy=Strategy.AUTOMATIC)
+    region = center_regions(made.pocket, made.cutter_radius, 0.0)[0]
+    path = automatic_laps.floor_path(region, made, lambda done: None)
+    small = automatic_laps.floor_path(
+        resized(region, 0.1), resized_request(made, 0.1), lambda done: None
+    )
+    back = resized_path(small, 10.0)
+    assert [p.role for p in back.passes] == [p.role for p in path.passes]
+    for one, other in zip(path.passes, back.passes, strict=True):
+        assert LineString(one.points).hausdorff_distance(LineString(other.points)) < 0.01
 
 
 def test_conventional_runs_the_other_way_round():

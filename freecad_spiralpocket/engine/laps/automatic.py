@@ -30,12 +30,15 @@ from ..model import Floats, PocketRequest, Tick
 from ..nearest import nearest
 from ..ordering import Step, order, runs_of
 from ..polyline import simplified
+from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
 from ..starts import Start, candidates
 from ..strokes import Stroke, strokes_of
 from ..timing import polyline_seconds
 from ..toolpath import Role
 
+#: The lengths in mm of all that Automatic is made of are meant for this R and this tolerance [mm].
+SIZE, EXACT = 3.0, 0.01
 #: Least radius of reentrant curves, over R.
 CLOSING = 1.33
 #: Radius with which fronts meet walls, over the step-over.
@@ -63,7 +66,10 @@ PIXELS = 24
 
 
 def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
-    """Make the path of one cutter-center region.
+    """Make the path of one cutter-center region, in the size that the lengths here are meant for.
+
+    A smaller cutter's pocket is planned larger. A larger one's is planned smaller as far as the
+    tolerance is coarser too.
 
     Parameters
     ----------
@@ -78,6 +84,14 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     CutterDoesNotFitError
         If there is no room to go down.
     """
+    factor = max(SIZE / request.cutter_radius, min(1.0, EXACT / request.tolerance))
+    if factor == 1.0:
+        return _planned(region, request, tick)
+    path = _planned(resized(region, factor), resized_request(request, factor), tick)
+    return resized_path(path, 1.0 / factor)
+
+
+def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
     region = oriented(shapely.simplify(region, 0.001))
     motion = motion_of(request)
     best, least, most = None, math.inf, MAX_FRONTS
