@@ -32,7 +32,7 @@ from .linking import Motion, leave_wall
 from .model import Floats, PocketRequest, Tick
 from .ordering import Run, Step, order
 from .polyline import ring_from, simplified
-from .spiral import BLEND, spiral_through, zone_length, zones
+from .spiral import BLEND, gaps, spiral_through, zone_length, zones
 from .starts import straightest
 from .strokes import Stroke
 from .toolpath import Role
@@ -243,7 +243,8 @@ class _Walker:
         if first.core is None:
             return None
         if isinstance(first.core, Slot):
-            return Slot(ring_from(first.ring.points[:-1], self.starts[0])[:-1], first.core.bite)
+            ring = ring_from(first.ring.points[:-1], self.starts[0])
+            return Slot(simplified(ring, SLIM * self.request.tolerance)[:-1], first.core.bite)
         x, y = self.starts[0] - first.core.center
         return Helix(first.core.center, first.core.radius, math.atan2(y, x))
 
@@ -262,10 +263,15 @@ class _Walker:
             return [(first.ring, place)]
         found = []
         for source in first.before:
-            at = zones(source.ring.line, first.ring.line, radius, WIDEST * stepover)
+            lines = source.ring.line, first.ring.line
+            at = zones(*lines, radius, WIDEST * stepover)
             beside = _side_by_side(source.ring, first.ring, at, radius)
-            found += [(source.ring, float(s)) for s in (at[beside] if beside.any() else at)]
-        return found
+            at = at[beside] if beside.any() else at
+            off = gaps(*lines, at, zone_length(*lines, radius))
+            found += [(float(g), source.ring, float(s)) for g, s in zip(off, at, strict=True)]
+        # of laps inside, some are far from a ring about an island
+        widest = max(WIDEST * stepover, min(off for off, _, _ in found))
+        return [(ring, at) for off, ring, at in found if off <= widest]
 
     def walk(self, way: int) -> Floats:
         """Return the points of one way, shape (n, 2) [mm]."""

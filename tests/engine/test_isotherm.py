@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from shapely import LineString, Point, Polygon, box
+from shapely import LineString, MultiPoint, Point, Polygon, box
 from shapes import CIRCLE, DUMBBELL, L_SHAPE, PENTAGON, RING, SQUARE, TRIANGLE, convex_pockets
 from shapes import request as make_request
 
@@ -31,6 +31,10 @@ STEP = 2.4
 TWO_LOBES = Point(-26, 0).buffer(24).union(Point(26, 0).buffer(24)).union(box(-26, -14, 26, 14))
 ROUND_RING = Point(0, 0).buffer(40, quad_segs=64).difference(Point(0, 0).buffer(14, quad_segs=64))
 TWO_ISLANDS = box(0, 0, 90, 60).difference(Point(25, 30).buffer(8)).difference(box(55, 20, 70, 38))
+#: Between posts laps close about islands that are far from most of the laps inside.
+SIX_POSTS = box(0, 0, 100, 67).difference(
+    MultiPoint([(20 + 30 * i, 20 + 27 * k) for i in range(3) for k in range(2)]).buffer(5.0)
+)
 
 
 def no_tick(done: float) -> None:
@@ -231,6 +235,13 @@ def test_any_convex_pocket_gets_laps_inside_its_region(pocket):
     for part in path.passes:
         if isinstance(part, Pass) and part.role in (Role.CUT, Role.FINISH):
             assert fence.covers(LineString(part.points))
+
+
+def test_laps_about_islands_are_begun_beside_them():
+    region, path = path_of(SIX_POSTS)
+    fence = region.buffer(0.02)
+    parts = [p for p in path.passes if isinstance(p, Pass) and len(p.points) > 1]
+    assert all(fence.covers(LineString(p.points)) for p in parts)
 
 
 def turning(points: np.ndarray) -> np.ndarray:
