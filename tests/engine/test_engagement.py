@@ -167,6 +167,18 @@ def test_ground_cleared_above_the_axial_depth_does_not_count():
     assert on_move(measured(builder), last_move(builder), margin=R) == pytest.approx(90.0, abs=1e-6)
 
 
+@pytest.mark.parametrize("parts", [7, 40, 400])
+def test_a_pass_over_a_ramp_reads_the_same_however_finely_that_is_cut_up(parts):
+    def crossed(count: int) -> np.ndarray:
+        builder = started(z=-0.5)
+        for i in range(1, count + 1):
+            builder.line((60.0 * i / count, 0.0, -0.5 - 4.0 * i / count), FEED, Role.ENTRY)
+        return on_move(measured(lines(builder, (60.0, 3.0), (0.0, 3.0))), count + 3)
+
+    # in steps of 1/32 of the axial depth
+    assert crossed(parts) == pytest.approx(crossed(1), abs=180 / 32)
+
+
 def test_repeated_level_reads_like_the_first():
     builder = started()
     for depth in (1, 2, 3):
