@@ -40,6 +40,8 @@ ZONES, APART = 8, 1.5
 SAMPLING = 0.2
 #: So little of that stock is none [mm2], and the path runs on so far, over R.
 CRUMB, RUN_ON = 1e-4, 0.3
+#: Where that is not enough so much more of the path is looked at, over R.
+FURTHER = 0.1
 #: Share of the zone over which that angle builds up, and dies away.
 EASE = 0.2
 
@@ -230,15 +232,17 @@ def without_air(points: Floats, stock: Region, reach: float) -> Floats | None:
     earliest = earliest[earliest < len(points)]
     first, needed = int(earliest.min()), int(earliest.max()) + 1
     # between the samples a little may stand yet
-    more = 1
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
     while True:
         way = LineString(points[first : needed + 1])
-        if shapely.difference(stock, shapely.buffer(way, reach, quad_segs=32)).area < CRUMB:
-            along = np.cumsum(np.hypot(*np.diff(points[needed:], axis=0).T))
-            return points[: needed + 2 + int(np.searchsorted(along, RUN_ON * reach))]
-        if needed >= len(points):
+        stock = shapely.difference(stock, shapely.buffer(way, reach, quad_segs=32))
+        if stock.area < CRUMB:
+            end = along[min(needed, len(along) - 1)] + RUN_ON * reach
+            return points[: int(np.searchsorted(along, end)) + 2]
+        if needed >= len(points) - 1:
             return None
-        needed, more = needed + more, 2 * more
+        first = needed
+        needed = int(np.searchsorted(along, along[needed] + FURTHER * reach))
 
 
 def chains_of(strokes: Sequence[Stroke]) -> list[list[int]]:

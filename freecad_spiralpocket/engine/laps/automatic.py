@@ -107,8 +107,8 @@ def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
             fronts = _with_corners(fronts, start.within, region, rules)
         most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
         strokes = strokes_of(fronts)
-        # no links can make up for entry and cuts that take longer already
-        if _entry_seconds(start, request, motion) + _cut_seconds(strokes, motion) > least:
+        # no links can make up for entry, cuts and turns back that take longer already
+        if _entry_seconds(start, request, motion) + _least_seconds(strokes, motion) > least:
             continue
         steps = _steps(start, fronts, strokes, region, request, motion, done)
         seconds = _seconds(start, steps, request, motion)
@@ -269,9 +269,15 @@ def _entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> floa
     return levels * once + depth / levels / math.tan(angle) / motion.cut_feed
 
 
-def _cut_seconds(strokes: list[Stroke], motion: Motion) -> float:
-    """Return how long the strokes take at least, without any links [s]."""
-    return sum(LineString(s.points).length for s in strokes) / motion.cut_feed
+def _least_seconds(strokes: list[Stroke], motion: Motion) -> float:
+    """Return how long strokes and the links between them take at least [s].
+
+    An open stroke ends where it may go no farther, and all are cut the same way about: from one
+    to the next the cutter turns back, which takes no less than to brake and to accelerate again.
+    """
+    cuts = sum(LineString(s.points).length for s in strokes) / motion.cut_feed
+    turns = sum(not s.closed for s in strokes) * 2 * motion.cut_feed / motion.acceleration
+    return cuts + turns
 
 
 def passes_of(steps: list[Step], request: PocketRequest) -> tuple[Pass, ...]:
