@@ -63,18 +63,20 @@ class ClearedMap:
         level[level == len(fronts)] += 1
         for zone in late:
             level[self.rasterize(zone) & (level == 0)] = len(fronts)
-        self._inside = self.rasterize(region)
+        inside = self.rasterize(region)
         owner = self._owners(level, strokes)
         order = np.argsort(owner, axis=None, kind="stable").astype(np.int32)
         bounds = np.searchsorted(owner.ravel()[order], np.arange(len(strokes) + 1))
-        self._cells_of = [order[a:b] for a, b in pairwise(bounds)]
+        self._outside = ~inside.ravel()
+        cells_of = [order[a:b] for a, b in pairwise(bounds)]
+        self._cells_of = [cells[~self._outside[cells]] for cells in cells_of]
         # ground that needs no stroke holds no stock: the cutter reached over it
         idle = owner < 0
-        cleared = (level <= len(fronts)) & idle & self._inside
+        cleared = (level <= len(fronts)) & idle & inside
         #: Within a pixel of cleared ground: strokes begin and end on the very edge of it.
         self.near = dilated(cleared)
         #: Cleared ground, and beside a wall the pixel that the wall cuts through.
-        self.free = cleared | (self.near & ~self._inside)
+        self.free = cleared | (self.near & ~inside)
 
     def rasterize(self, polygon: Polygon) -> NDArray[np.bool_]:
         """Return which pixel centers are inside a polygon."""
@@ -172,13 +174,9 @@ class ClearedMap:
 
     def finish(self, stroke: int) -> None:
         """Free the ground of a stroke that is done."""
-        width = self.shape[1]
-        rows, columns = self._cells_of[stroke] // width, self._cells_of[stroke] % width
-        inside = self._inside[rows, columns]
-        rows, columns = rows[inside], columns[inside]
-        self.free[rows, columns] = True
-        for dr, dc in ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0)):
-            r = np.clip(rows + dr, 0, self.shape[0] - 1)
-            c = np.clip(columns + dc, 0, width - 1)
-            self.near[r, c] = True
-            self.free[r, c] |= ~self._inside[r, c]
+        cells, free, near = self._cells_of[stroke], self.free.ravel(), self.near.ravel()
+        free[cells] = near[cells] = True
+        for step in (1, -1, self.shape[1], -self.shape[1]):
+            beside = cells + step
+            near[beside] = True
+            free[beside[self._outside[beside]]] = True

@@ -95,17 +95,21 @@ def shortest_way(start: Floats, end: Floats, cleared: ClearedMap) -> Floats | No
     target = _nearest_open(end, open_, cleared, size)
     if source is None or target is None:
         return None
-    path = _cheapest(_tolls(open_), columns, source, target)
+    # closed all around, so that no step leads over the edge
+    tolls = np.pad(_tolls(open_), 1, constant_values=np.inf)
+    width = columns + 2
+    path = _cheapest(tolls, *((c // columns + 1) * width + c % columns + 1 for c in (source, target)))
     if path is None:
         return None
     cells = np.array(path)
+    cells = (cells // width - 1) * columns + cells % width - 1
     centers = cleared.origin + size * np.column_stack(
         [cells % columns + 0.5, cells // columns + 0.5]
     )
     return np.vstack([start, centers[1:-1], end])
 
 
-def _tolls(open_: NDArray[np.bool_]) -> list[float]:
+def _tolls(open_: NDArray[np.bool_]) -> Floats:
     """Return by how much longer a step into each cell counts than it is; infinite where closed.
 
     Keeping off the edge of free ground is worth a little; farther from it than `OFF` cells
@@ -118,19 +122,31 @@ def _tolls(open_: NDArray[np.bool_]) -> list[float]:
         closed = dilated(closed)
     toll = np.full(open_.shape, np.inf)
     toll[open_] = EDGE_TOLL / off[open_]
-    return toll.ravel().tolist()
+    return toll
 
 
-def _cheapest(tolls: list[float], columns: int, source: int, target: int) -> list[int] | None:
+def _cheapest(tolls: Floats, source: int, target: int) -> list[int] | None:
     """Return the cells along the cheapest way from `source` to `target`; None if there is none.
 
     A*, with the distance as the crow flies for what lies ahead.
+
+    Parameters
+    ----------
+    tolls : ndarray of shape (rows, columns)
+        Infinite all around.
+    source, target : int
+        Indices into the raveled grid.
     """
-    row, column = divmod(target, columns)
-    gone = {source: 0.0}
+    columns = tolls.shape[1]
+    rows_off = (np.arange(tolls.shape[0]) - target // columns)[:, None]
+    ahead = (LEAST_TOLL * np.hypot(rows_off, np.arange(columns) - target % columns)).ravel()
+    ahead, toll = ahead.tolist(), tolls.ravel().tolist()
+    neighbors = [(dr * columns + dc, step) for dr, dc, step in NEIGHBORS]
+    gone = [math.inf] * len(toll)
+    gone[source] = 0.0
     before: dict[int, int] = {}
     heap = [(0.0, source)]
-    done: set[int] = set()
+    done = bytearray(len(toll))
     while heap:
         cell = heapq.heappop(heap)[1]
         if cell == target:
@@ -138,19 +154,18 @@ def _cheapest(tolls: list[float], columns: int, source: int, target: int) -> lis
             while path[-1] != source:
                 path.append(before[path[-1]])
             return path[::-1]
-        if cell in done:
+        if done[cell]:
             continue
-        done.add(cell)
-        r, c = divmod(cell, columns)
-        for dr, dc, step in NEIGHBORS:
-            other = cell + dr * columns + dc
-            if not (0 <= c + dc < columns and 0 <= other < len(tolls)):
-                continue
-            cost = gone[cell] + step * (1.0 + max(tolls[cell], tolls[other]))
-            if cost < gone.get(other, math.inf):
-                gone[other], before[other] = cost, cell
-                ahead = LEAST_TOLL * math.hypot(row - r - dr, column - c - dc)
-                heapq.heappush(heap, (cost + ahead, other))
+        done[cell] = 1
+        so_far, here = gone[cell], 1.0 + toll[cell]
+        for off, step in neighbors:
+            other = cell + off
+            there = 1.0 + toll[other]
+            cost = so_far + step * (there if there > here else here)
+            if cost < gone[other]:
+                gone[other] = cost
+                before[other] = cell
+                heapq.heappush(heap, (cost + ahead[other], other))
     return None
 
 

@@ -20,6 +20,8 @@ from .toolpath import Kind, Toolpath
 
 #: Heights closer than this are one height [mm]: posts round to 3 decimals.
 SAME_HEIGHT = 2e-3
+#: A piece that falls less is level [mm]; short chords of a ramp fall by less than a post rounds.
+LEVEL = 1e-6
 #: A ramp is cut into bands of this share of a full axial depth.
 RAMP_BAND = 1 / 32
 #: Arcs are cut to at most this sweep [rad] and lines to this many cutter radii.
@@ -72,7 +74,7 @@ class Pieces:
     @property
     def is_level(self) -> NDArray[np.bool_]:
         """Return which pieces stay at one height, shape (n,)."""
-        return np.abs(self.bottoms[:, 1] - self.bottoms[:, 0]) < SAME_HEIGHT
+        return np.abs(self.bottoms[:, 1] - self.bottoms[:, 0]) < LEVEL
 
     @property
     def lengths(self) -> Floats:
