@@ -24,6 +24,8 @@ from .model import Floats
 COARSE = 3
 #: Longest chord of a link [mm].
 CHORD = 0.12
+#: A way begins and ends in an open cell no more than so many cells away.
+NEAR = 3
 #: Distances of control points tried, over R.
 SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5)
 #: A step along the edge of free ground counts as longer by this share; farther from it by that
@@ -89,23 +91,18 @@ def shortest_way(start: Floats, end: Floats, cleared: ClearedMap) -> Floats | No
     free = cleared.near
     rows, columns = (n // COARSE for n in free.shape)
     blocks = free[: rows * COARSE, : columns * COARSE].reshape(rows, COARSE, columns, COARSE)
-    open_: NDArray[np.bool_] = np.asarray(blocks.all(axis=(1, 3)))
+    # closed all around, so that no step leads over the edge
+    open_ = np.pad(blocks.all(axis=(1, 3)), 1)
     size = COARSE * cleared.pixel
-    source = _nearest_open(start, open_, cleared, size)
-    target = _nearest_open(end, open_, cleared, size)
+    origin = cleared.origin - size
+    source, target = (_nearest_open((p - origin) / size, open_) for p in (start, end))
     if source is None or target is None:
         return None
-    # closed all around, so that no step leads over the edge
-    tolls = np.pad(_tolls(open_), 1, constant_values=np.inf)
-    width = columns + 2
-    path = _cheapest(tolls, *((c // columns + 1) * width + c % columns + 1 for c in (source, target)))
+    path = _cheapest(_tolls(open_), source, target)
     if path is None:
         return None
-    cells = np.array(path)
-    cells = (cells // width - 1) * columns + cells % width - 1
-    centers = cleared.origin + size * np.column_stack(
-        [cells % columns + 0.5, cells // columns + 0.5]
-    )
+    row, column = np.divmod(path, open_.shape[1])
+    centers = origin + size * np.column_stack([column + 0.5, row + 0.5])
     return np.vstack([start, centers[1:-1], end])
 
 
@@ -169,12 +166,11 @@ def _cheapest(tolls: Floats, source: int, target: int) -> list[int] | None:
     return None
 
 
-def _nearest_open(point: Floats, open_: np.ndarray, cleared: ClearedMap, size: float) -> int | None:
-    column, row = ((point - cleared.origin) / size).astype(int)
-    reach = 3
-    r0, c0 = max(0, row - reach), max(0, column - reach)
-    window = open_[r0 : row + reach + 1, c0 : column + reach + 1]
-    r, c = np.nonzero(window)
+def _nearest_open(place: Floats, open_: NDArray[np.bool_]) -> int | None:
+    """Return the open cell nearest to a place in the grid, as an index; None if none is near."""
+    column, row = place.astype(int)
+    r0, c0 = max(0, row - NEAR), max(0, column - NEAR)
+    r, c = np.nonzero(open_[r0 : row + NEAR + 1, c0 : column + NEAR + 1])
     if len(r) == 0:
         return None
     k = int(np.argmin((r + r0 - row) ** 2 + (c + c0 - column) ** 2))

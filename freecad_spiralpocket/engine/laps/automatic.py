@@ -273,10 +273,10 @@ def _least_seconds(strokes: list[Stroke], motion: Motion) -> float:
     """Return how long strokes and the links between them take at least [s].
 
     An open stroke ends where it may go no farther, and all are cut the same way about: from one
-    to the next the cutter turns back, which takes no less than to brake and to accelerate again.
+    to the next the cutter turns back, in half a circle as tight as the machine allows.
     """
     cuts = sum(LineString(s.points).length for s in strokes) / motion.cut_feed
-    turns = sum(not s.closed for s in strokes) * 2 * motion.cut_feed / motion.acceleration
+    turns = sum(not s.closed for s in strokes) * math.pi * motion.cut_feed / motion.acceleration
     return cuts + turns
 
 
