@@ -36,10 +36,18 @@ BY_LENGTH = 0.35
 SMOOTHING = 0.006
 #: Points of the curve that is fitted, for each break.
 PER_PATCH = 6
-#: The deviation falls about with this power of the patches; so many guesses by it.
-ORDER, SECANTS = 4.0, 6
+#: The deviation rises about with this power of fewer patches, where contours are noisy, and falls
+#: about with this power of more; until both sides are known that tells how many are tried.
+FALLING, RISING = 2.0, 4.0
+#: Smaller deviations over the bound count as this; in every so many steps the middle is tried.
+LEAST_OFF, HALVED, GROWS = 0.05, 4, 0.02
 #: Controls that a patch has in common are no farther apart than this where the ring is folded.
 BAND = 9
+#: Powers of the parameter from Bezier points: rows by power.
+POWERS = np.array(
+    [[1, 0, 0, 0, 0], [-4, 4, 0, 0, 0], [6, -12, 6, 0, 0], [-4, 12, -12, 4, 0], [1, -4, 6, -4, 1]],
+    float,
+)
 #: All pairs of the controls of a patch.
 FIRST, SECOND = np.triu_indices(DEGREE + 1)
 
@@ -91,7 +99,8 @@ class ClosedQuartic:
         """Return points about `spacing` apart [mm], the last is the first again."""
         length = float(np.hypot(*np.diff(self.controls, axis=0, append=self.controls[:1]).T).sum())
         u = np.linspace(0.0, 1.0, max(16, int(np.ceil(length / spacing))) + 1)
-        points, _ = _Basis(self.breaks).curve(self.controls, u)
+        basis = _Basis(self.breaks)
+        points, _ = basis.curve(self.controls, basis.at(u))
         return np.ascontiguousarray(points.T)
 
 
@@ -127,17 +136,23 @@ class ClosedFit:
         guess : int, optional
             With how many patches the search begins; saves time where it is near.
         """
-        low, high, step = FEWEST - 1, MOST + 1, 0  # too few patches, enough
-        count = int(np.clip(guess, FEWEST, MOST))
+        low, high = FEWEST - 1, MOST + 1  # too few patches, enough
+        below = above = math.nan  # the deviations there over the bound
+        count, step = int(np.clip(guess, FEWEST, MOST)), 0
         while high - low > 1:
             step += 1
-            off = self._of(count).deviation / deviation
-            low, high = (low, count) if off <= 1 else (count, high)
-            # as if the deviation fell evenly on a logarithmic scale; then halving
-            ahead = math.ceil(count * off ** (1 / ORDER))
-            if step >= SECANTS:
-                ahead = (low + high) // 2 if high <= MOST else 2 * low
-            count = min(max(low + 1, ahead), high - 1)
+            off = max(self._of(count).deviation / deviation, LEAST_OFF)
+            if off <= 1:
+                high, above = count, off
+            else:
+                low, below = count, off
+            if step % HALVED == 0 and high <= MOST:
+                ahead = float(np.sqrt(low * high))
+            elif low < FEWEST or high > MOST:
+                ahead = count * (off ** (1 / FALLING) if off <= 1 else off ** (1 / RISING) + GROWS)
+            else:  # as if the deviation fell evenly on a logarithmic scale
+                ahead = low * (high / low) ** (math.log(below) / math.log(below / above))
+            count = min(max(low + 1, math.ceil(ahead)), high - 1)
         return self._of(min(high, MOST))
 
     def _of(self, count: int) -> ClosedQuartic:
@@ -173,9 +188,10 @@ def _fit(closed: Floats, along: Floats, effort: Floats, count: int) -> ClosedQua
         points = np.stack([np.interp(u, s, x) for x in closed.T])
     basis = _Basis(breaks)
     for _ in range(2):
-        controls = basis.nearest(u, points)
-        places, (tx, ty) = basis.curve(controls, u)
-        dx, dy = points - places
+        places = basis.at(u)
+        controls = basis.nearest(places, points)
+        reached, (tx, ty) = basis.curve(controls, places)
+        dx, dy = points - reached
         square = tx * tx + ty * ty + 1e-12
         u = u + (dx * tx + dy * ty) / square
     normal = (dx * ty - dy * tx) / np.sqrt(square)
@@ -191,85 +207,83 @@ def _periodic(breaks: Floats) -> tuple[Floats, NDArray[np.intp]]:
 
 
 class _Basis:
-    """The splines over one period of double knots, by way of the patches' Bezier points."""
+    """The splines over one period of double knots, patch by patch."""
 
     def __init__(self, breaks: Floats) -> None:
         self.breaks, self.spans = breaks, np.diff(breaks)
         n = len(self.spans)
         #: The five controls of each patch, shape (5, n).
         self.columns = (1 + np.arange(DEGREE + 1)[:, None] + 2 * np.arange(n)) % (2 * n)
-        #: Each patch's span over its own and the one before, and over its own and the next.
-        self.before = self.spans / (self.spans + np.roll(self.spans, 1))
-        self.after = self.spans / (self.spans + np.roll(self.spans, -1))
+        # each patch's span over its own and the one before, and over its own and the next
+        before = self.spans / (self.spans + np.roll(self.spans, 1))
+        after = self.spans / (self.spans + np.roll(self.spans, -1))
+        near, far = 1 - before, 1 - after
+        # what the five controls weigh in the five Bezier points, shape (5, 5, n)
+        beziers = np.zeros((DEGREE + 1, DEGREE + 1, n))
+        beziers[0, :3] = before * before, 2 * before * near, near * near
+        beziers[1, 1:3] = before, near
+        beziers[2, 2] = 1.0
+        beziers[3, 2:4] = far, after
+        beziers[4, 2:] = far * far, 2 * far * after, after * after
+        #: The same for the powers of the parameter within the patch.
+        self.powers = (POWERS @ beziers.reshape(DEGREE + 1, -1)).reshape(beziers.shape)
 
-    def curve(self, controls: Floats, u: Floats) -> tuple[Floats, Floats]:
-        """Return points and derivatives by the parameter, both of shape (2, k)."""
-        patch, v = self._located(u)
-        b0, b1, b2, b3, b4 = np.take(self._beziers(controls), patch, axis=2)
-        # powers of v about the start of each patch
-        c1, c2 = 4 * (b1 - b0), 6 * (b0 - 2 * b1 + b2)
-        c3, c4 = 4 * (b3 - b0 + 3 * (b1 - b2)), b0 + b4 - 4 * (b1 + b3) + 6 * b2
-        points = (((c4 * v + c3) * v + c2) * v + c1) * v + b0
+    def at(self, u: Floats) -> _Places:
+        """Return where parameters of shape (k,) are."""
+        u = u - np.floor(u)
+        patch = np.searchsorted(self.breaks[1:-1], u, side="right")
+        v = (u - self.breaks[patch]) / self.spans[patch]
+        c0, c1, c2, c3, c4 = np.take(self.powers, patch, axis=2)
+        weights = (((c4 * v + c3) * v + c2) * v + c1) * v + c0
         slopes = ((4 * c4 * v + 3 * c3) * v + 2 * c2) * v + c1
-        return points, slopes / self.spans[patch]
+        return _Places(patch, weights, slopes / self.spans[patch])
 
-    def nearest(self, u: Floats, points: Floats) -> Floats:
+    def curve(self, controls: Floats, places: _Places) -> tuple[Floats, Floats]:
+        """Return points and derivatives by the parameter, both of shape (2, k)."""
+        chosen = np.take(controls.T, np.take(self.columns, places.patch, axis=1), axis=1)
+        return (chosen * places.weights).sum(axis=1), (chosen * places.slopes).sum(axis=1)
+
+    def nearest(self, places: _Places, points: Floats) -> Floats:
         """Return the controls, shape (2 n, 2), that come nearest to points of shape (2, k)."""
-        from scipy.linalg import solveh_banded
+        from scipy.linalg.lapack import dpbsv
 
-        n = len(self.spans)
-        patch, v = self._located(u)
-        weights = self._weights(patch, v)
+        n, weights = len(self.spans), places.weights
         # a ring of controls folded in two is a band: 0, n - 1, 1, n - 2, ...
         block = np.arange(n)
         fold = np.where(2 * block < n, 2 * block, 2 * (n - block) - 1)
         place = (2 * fold[:, None] + np.arange(2)).ravel()
         at = place[self.columns]
-        low = np.minimum(at[FIRST], at[SECOND])
-        high = np.maximum(at[FIRST], at[SECOND])
-        products = [
-            np.bincount(patch, weights[a] * weights[b], n)
-            for a, b in zip(FIRST, SECOND, strict=True)
-        ]
-        cells = ((BAND + low - high) * 2 * n + high).ravel()
-        band = np.bincount(cells, np.concatenate(products), (BAND + 1) * 2 * n)
+        one, other = at[FIRST], at[SECOND]
+        cells = (BAND - np.abs(one - other)) * 2 * n + np.maximum(one, other)
+        products = places.sums(weights[FIRST] * weights[SECOND], n)
+        band = np.bincount(cells.ravel(), products.ravel(), (BAND + 1) * 2 * n)
         band = band.reshape(BAND + 1, 2 * n)
         band[BAND] += 1e-9 * band[BAND].sum() / (2 * n)
-        right = [
-            np.bincount(
-                at.ravel(), np.concatenate([np.bincount(patch, w * x, n) for w in weights]), 2 * n
-            )
-            for x in points
-        ]
-        solved = solveh_banded(band, np.column_stack(right), overwrite_ab=True, check_finite=False)
+        sums = [places.sums(x * weights, n) for x in points]
+        right = np.stack([np.bincount(at.ravel(), s.ravel(), 2 * n) for s in sums], axis=1)
+        _, solved, failed = dpbsv(band, right, overwrite_ab=True, overwrite_b=True)
+        if failed:
+            raise np.linalg.LinAlgError(f"The fit of {n} patches has no solution.")
         return np.asarray(solved[place])
 
-    def _located(self, u: Floats) -> tuple[NDArray[np.intp], Floats]:
-        """Return the patch of each parameter, and the parameter within it from 0 to 1."""
-        u = u - np.floor(u)
-        patch = np.searchsorted(self.breaks[1:-1], u, side="right")
-        return patch, (u - self.breaks[patch]) / self.spans[patch]
 
-    def _beziers(self, controls: Floats) -> Floats:
-        """Return the Bezier points of the patches, shape (5, 2, n)."""
-        a, b, c, d, e = controls.T[:, self.columns].transpose(1, 0, 2)
-        before, after = self.before, self.after
-        first, last = before * b + (1 - before) * c, after * d + (1 - after) * c
-        start = before * (before * a + (1 - before) * b) + (1 - before) * first
-        end = after * (after * e + (1 - after) * d) + (1 - after) * last
-        return np.stack([start, first, c, last, end])
+@dataclass(frozen=True, slots=True, eq=False)
+class _Places:
+    """Where parameters are on a curve.
 
-    def _weights(self, patch: NDArray[np.intp], v: Floats) -> list[Floats]:
-        """Return the weights of each parameter's five controls."""
-        before, after = self.before[patch], self.after[patch]
-        v2, w = v * v, 1 - v
-        w2, both = w * w, 2 * v * w
-        b0, b1, b2, b3, b4 = w2 * w2, 2 * both * w2, 1.5 * both * both, 2 * both * v2, v2 * v2
-        near, far = 1 - before, 1 - after
-        return [
-            b0 * before * before,
-            (2 * b0 * near + b1) * before,
-            (b0 * near + b1) * near + b2 + (b3 + b4 * far) * far,
-            (b3 + 2 * b4 * far) * after,
-            b4 * after * after,
-        ]
+    Attributes
+    ----------
+    patch : ndarray of int, shape (k,)
+    weights, slopes : ndarray of shape (5, k)
+        Of the patch's five controls in the point, and in the derivative by the parameter.
+    """
+
+    patch: NDArray[np.intp]
+    weights: Floats
+    slopes: Floats
+
+    def sums(self, rows: Floats, n: int) -> Floats:
+        """Return the sums of rows of values, shape (r, k), over each of n patches, (r, n)."""
+        cells = self.patch + n * np.arange(len(rows))[:, None]
+        total = np.bincount(cells.ravel(), rows.ravel(), n * len(rows))
+        return total.reshape(-1, n).astype(float)

@@ -262,7 +262,8 @@ def _nested(family: Family, part: Polygon, room: Room) -> tuple[Polygon, int]:
     if family.deviation == 0:
         return part, room.patches
     shapely.prepare(room.region)
-    fits, guess = _fits(part), room.patches
+    fits = _fits(part)
+    guess = round(room.patches * min(1.0, fits[0].length / room.region.exterior.length))
     for halving in range(HALVINGS):
         bound = family.deviation * 0.5**halving
         lap, guess = _of_fits(fits, bound, guess)
