@@ -8,8 +8,6 @@ and `command` do without it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from importlib import import_module
 from typing import Any
 
 import FreeCADGui
@@ -17,6 +15,7 @@ from PathScripts import PathUtils
 from PySide import QtCore, QtGui
 
 from ..op.compat import IS_LEGACY, PathOp
+from .names import renamed
 
 if IS_LEGACY:
     from PathScripts import PathGui as PathGuiUtil
@@ -34,7 +33,6 @@ __all__ = [
     "PathSelection",
     "PathUtils",
     "check_box_signal",
-    "forget_widgets",
     "freecad_icon",
     "has_tool_controller_editor",
     "load_form",
@@ -82,7 +80,7 @@ def load_form(path: Any) -> Any:
     """
     forms: list[Any] = []  # kept until then
     while len(forms) < FORMS:
-        forms.append(FreeCADGui.PySideUic.loadUi(str(path)))
+        forms.append(renamed(FreeCADGui.PySideUic.loadUi(str(path))))
         if all(map(_is_what_it_seems, vars(forms[-1]).values())):
             break
     return forms[-1]
@@ -100,18 +98,3 @@ def run_dialog(dialog: QtGui.QDialog) -> int:
     """Show a modal dialog and return its result (``exec`` is a keyword's ghost in Qt 5)."""
     run = getattr(dialog, "exec", None) or dialog.exec_
     return run()
-
-
-def forget_widgets(widgets: Iterable[Any]) -> None:
-    """Let PySide forget widgets that are gone.
-
-    FreeCAD never gives up the Python objects of a panel's buttons and of 1.1's tool controller
-    editor. PySide would take new widgets at the same addresses for them: calls fail or crash.
-    The layouts and widgets of a form are attributes of it; layouts are not forgotten with it.
-    """
-    is_qt6 = QtCore.QObject.__module__.startswith("PySide6")
-    shiboken = import_module("shiboken6" if is_qt6 else "shiboken2")
-    for widget in widgets:
-        for named in (*vars(widget).values(), widget):
-            if isinstance(named, QtCore.QObject):
-                shiboken.invalidate(named)

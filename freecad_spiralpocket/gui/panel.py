@@ -16,6 +16,7 @@ from .choices import strategy_note
 from .compat import PathOpGui, has_tool_controller_editor, load_form
 from .extras import FACTORIES, Extra
 from .fields import Check, Choice, Field, LinkFeed, Number, Quantity
+from .names import rename_attributes
 from .startpoint import StartPointField
 from .startup import RESOURCES
 from .stepover import StepOverField
@@ -53,7 +54,6 @@ class OperationPage(PathOpGui.TaskPanelPage):
     fields: Sequence[Field] = ()
     extras: Sequence[Extra] = ()
     boxes: Sequence[Any] = ()  # of the extras, to be shown below the pages
-    tool_editors: Sequence[Any] = ()
     is_writing = False
     was_changed = False  # while writing
     is_closed = False
@@ -83,7 +83,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
         """Fill the list of tool controllers; 1.1 makes an editor for the chosen one each time."""
         super().setupToolController(*obj_and_combo)
         if getattr(self, "tcEditor", None):
-            self.tool_editors = [*self.tool_editors, self.tcEditor.controller]
+            rename_attributes(self.tcEditor)
 
     def getSignalsForUpdate(self, obj: Any) -> list[Any]:  # noqa: N802
         """Return the signals on which the fields are written."""

@@ -16,6 +16,7 @@ from PySide import QtGui
 from ..op import preferences, properties
 from .choices import choice_text
 from .fields import MINUTE
+from .names import renamed
 from .startup import RESOURCES
 
 translate = FreeCAD.Qt.translate
@@ -32,7 +33,7 @@ class PreferencePage:
     """The page; FreeCAD calls its methods."""
 
     def __init__(self, parent: Any = None) -> None:
-        self.form = FreeCADGui.PySideUic.loadUi(str(FORM))
+        self.form = renamed(FreeCADGui.PySideUic.loadUi(str(FORM)))
         rows = {p.name: p for p in properties.TABLE}
         self.boxes = [(rows[name], getattr(self.form, box)) for name, box in WIDGETS.items()]
         for row, box in self.boxes:

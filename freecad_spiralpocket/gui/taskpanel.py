@@ -22,7 +22,8 @@ from PySide import QtCore, QtGui
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..op.compat import parent_job
 from . import messages
-from .compat import PathOpGui, PathSelection, forget_widgets
+from .compat import PathOpGui, PathSelection
+from .names import forget_namesakes, rename_attributes, renamed
 
 translate = FreeCAD.Qt.translate
 
@@ -38,9 +39,17 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.touched = _touched(obj.Document)
         self.is_open = self.has_lost_widgets = False
         super().__init__(obj, is_new, page, selection_factory)
-        # boxes of their own, so that they stay in sight whatever is scrolled in the pages
+        names = {}
+        for each in self.featurePages:
+            names.update(rename_attributes(each))
         pages = self.form if isinstance(self.form, list) else [self.form]
-        self.form = [*pages, *page.boxes]
+        # boxes of their own, so that they stay in sight whatever is scrolled in the pages
+        self.form = [*(names.get(p, p) for p in pages), *page.boxes]
+        forget_namesakes()
+
+    def modifyStandardButtons(self, buttonBox: Any) -> None:  # noqa: N802, N803
+        """Take the buttons over."""
+        super().modifyStandardButtons(renamed(buttonBox))
 
     def open(self) -> None:
         """Watch the selection and the document."""
@@ -90,7 +99,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         return not errors
 
     def panelCleanup(self) -> None:  # noqa: N802 - the name FreeCAD calls
-        """Stop watching the document and give up the widgets; part of every way to close."""
+        """Stop watching the document; part of every way to close."""
         self.is_open = False
         FreeCAD.removeDocumentObserver(self)
         self.operation_page.close()
@@ -119,9 +128,8 @@ class TaskPanel(PathOpGui.TaskPanel):
     slotRedoDocument = slotUndoDocument  # noqa: N815 - the name FreeCAD calls
 
     def _lose_widgets(self, *_: Any) -> None:
-        """Forget the widgets, which are gone, and close if nobody has told us to."""
+        """Close, as the widgets are gone, if nobody has told us to."""
         self.has_lost_widgets = True
-        forget_widgets([self.buttonBox, *self.operation_page.tool_editors])
         if self.is_open:
             self.operation_page.close()  # at once: a timer of the preview may be due
             QtCore.QTimer.singleShot(0, self.abandon)

@@ -3,13 +3,12 @@
 
 import gc
 import zipfile
-from importlib import import_module
 
 import FreeCAD
 import FreeCADGui
 import pytest
 from pivy import coin
-from PySide import QtCore, QtGui
+from PySide import QtGui
 from snapshot import differences, snapshot
 from window import (
     APPLY,
@@ -29,7 +28,7 @@ from window import (
     widget,
 )
 
-shiboken = import_module("shiboken" + QtCore.QObject.__module__[len("PySide")])
+from freecad_spiralpocket.gui.names import shiboken
 
 
 def only_operation(job):
@@ -205,7 +204,7 @@ def names_of_what_is_gone():
         widgets = QtGui.QApplication.allWidgets()
         layouts = [layout for w in widgets for layout in w.findChildren(QtGui.QLayout)]
         alive = {shiboken.getCppPointer(o)[0] for o in (*widgets, *layouts)}
-        named = [o for o in gc.get_objects() if isinstance(o, kinds) and shiboken.isValid(o)]
+        named = [o for o in shiboken.getAllValidWrappers() if isinstance(o, kinds)]
         return {id(o) for o in named if shiboken.getCppPointer(o)[0] not in alive}
     finally:
         gc.enable()

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""No name of a widget outlives it, and what others leave behind does no harm."""
+
+import FreeCADGui
+import pytest
+from PySide import QtCore, QtGui
+from window import IS_LEGACY, VERSION
+
+from freecad_spiralpocket.gui import names
+from freecad_spiralpocket.gui.names import shiboken
+from freecad_spiralpocket.gui.panel import FORM
+
+TRIES = 200
+
+
+def delete(widget):
+    """Let Qt delete a widget, as it does with a panel that closes."""
+    widget.deleteLater()
+    QtCore.QCoreApplication.sendPostedEvents(widget, QtCore.QEvent.DeferredDelete)
+
+
+def test_loaded_form_has_a_name_that_ends_with_it():
+    form = names.renamed(FreeCADGui.PySideUic.loadUi(str(FORM)))
+    assert form.objectName() == "SpiralPocketPanel"
+    assert form.strategy.parent() is form.optionsFrame
+    every = [form, *vars(form).values()]
+    assert all(map(shiboken.isValid, every))
+    delete(form)
+    assert not any(map(shiboken.isValid, every))
+
+
+def test_widget_that_python_made_keeps_its_name():
+    label = QtGui.QLabel("x")
+    assert names.renamed(label) is label and shiboken.isValid(label)
+
+
+@pytest.mark.skipif(
+    IS_LEGACY or VERSION == "1.0", reason="this PySide keeps but one name of an address"
+)
+def test_name_that_others_left_is_forgotten_where_a_new_widget_is():
+    """Else FreeCAD aborts when the widget goes."""
+    parent, left = QtGui.QWidget(), {}
+    for _ in range(TRIES):
+        label = QtGui.QLabel("x")
+        address = shiboken.getCppPointer(label)[0]
+        if address in left:
+            break
+        label = None
+        # as FreeCAD names a widget that has gone
+        left[address] = shiboken.wrapInstance(address, QtGui.QWidget)
+    stale = left.pop(address)
+    label.setParent(parent)
+    assert shiboken.isValid(stale) and stale is not label
+    names.forget_namesakes()
+    assert shiboken.isValid(label) and not shiboken.isValid(stale)
+    for name in left.values():
+        shiboken.invalidate(name)
+    delete(parent)
+    assert not shiboken.isValid(label)
