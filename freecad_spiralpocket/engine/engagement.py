@@ -55,6 +55,8 @@ class Engagement:
     angles : ndarray of shape (k,)
         Engagement angle, each rim point weighted by the share of a full axial depth that
         stood there [rad], in ``[0, pi]``.
+    chips : ndarray of shape (k,)
+        Thickness of the thickest chip over the feed per tooth, not weighted, in ``[0, 1]``.
     radial_depths : ndarray of shape (k,)
         Width of the cut across the direction of travel at the cutter's tip, not weighted [mm],
         in ``[0, 2 r]``.
@@ -73,6 +75,7 @@ class Engagement:
 
     points: Floats
     angles: Floats
+    chips: Floats
     radial_depths: Floats
     axial_depths: Floats
     bites: Floats
@@ -133,10 +136,11 @@ def along_path(
         order = merge_order(samples, more)
         samples = merged(samples, more, order)
         measured = np.concatenate([measured, added], axis=1)[:, order]
-    load, width, bare, bites = measured
+    load, chips, width, bare, bites = measured
     return Engagement(
         points=samples.points,
         angles=load,
+        chips=chips,
         radial_depths=width,
         axial_depths=axial_depth * np.divide(load, bare, out=np.zeros_like(load), where=bare > 0),
         bites=bites,
@@ -161,10 +165,10 @@ def _solid_arrivals(samples: Samples, pieces: Pieces, r: float) -> NDArray[np.bo
 
 
 def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float) -> Floats:
-    """Return weighted angles [rad], radial depths [mm], bare angles [rad] and bites [mm]."""
+    """Return weighted angles, chips, radial depths [mm], bare angles and bites [mm]; [rad]."""
     n = len(samples)
     if n == 0:
-        return np.zeros((4, 0))
+        return np.zeros((5, 0))
     twins = find_twins(samples, pieces)
     new = twins == np.arange(n)
     gaps = uncleared(samples.select(new), pieces, r).repeated(np.cumsum(new)[twins] - 1)
@@ -174,7 +178,7 @@ def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top
         here = samples.select(some)
         shares.append(standing_share(gaps.repeated(some), here, pieces, r, axial_depth, top))
     load, bites = np.concatenate(shares, axis=1)
-    return np.stack([load, gaps.widths(n, r), gaps.angles(n), bites])
+    return np.stack([load, gaps.foremost(n), gaps.widths(n, r), gaps.angles(n), bites])
 
 
 def uncleared(samples: Samples, pieces: Pieces, r: float, half: float = np.pi / 2) -> Gaps:

@@ -8,11 +8,15 @@ programmed feed:
   equal chip thickness asks for, because a longer engaged arc also loads the cutter longer.
 - *Linear slow-down* ([CS08] section 2.4): 1 up to the specified radial depth, the slowed
   feed at the largest on the path, linear in between; slots at the slowed feed.
-- *Chip thickness*: as Constant, and below the limit ``sin(limit) / sin(angle)``, at which the
-  thickest chip stays the same, up to a largest ratio. Laps along the wall stay at the
+- *Chip thickness*: as Constant, and below the limit ``sin(limit)`` over the thickness of the
+  thickest chip, which so stays the same, up to a largest ratio. That thickness is the sine of the
+  angle, but where only a rib is left that of the rib's far side. Laps along the wall stay at the
   programmed feed, for the sake of the wall.
 
-Ratios are rounded down to rungs of 8 % (a dead band keeps dust from costing a rung), and
+Where a cut meets no stock for longer than the cutter's radius, in any mode, it is a link: it runs
+at the feed of links, and the proof sees to it that it stays clear.
+
+Ratios are rounded down to rungs of 4 % (a dead band keeps dust from costing a rung), and
 runs shorter than a least length join the neighbor that costs less time, at the lower of the
 two feeds: a feed is never above what is allowed anywhere in its run.
 """
@@ -31,7 +35,7 @@ from .stations import Measured, ends_of, points_at, stations_of
 from .toolpath import Role, Toolpath
 
 #: Ratio of neighboring rungs.
-RUNG = 1.08
+RUNG = 1.04
 #: Ratios this share below a rung still count as on it: no engagement is known better.
 DEAD_BAND = 0.01
 #: Up to so much times the limit and a little more [rad] engagement counts as at the limit: the
@@ -40,7 +44,9 @@ SLACK, SLACK_ANGLE = 1.05, np.radians(2.0)
 #: Engagement above this is a slot [rad].
 SLOT = np.radians(150.0)
 #: Least length of one feed over R: the thin chips beside walls are no longer.
-LEAST_RUN = 0.5
+LEAST_RUN = 0.3
+#: A cut is a link where it meets no stock for longer than this, less this at both ends, over R.
+IDLE, IDLE_MARGIN = 1.0, 0.1
 #: A change of feed goes to the end of a move this near, in least runs.
 SNAP = 0.1
 #: Moves are not split closer than this to their ends [mm].
@@ -67,7 +73,7 @@ class FeedRules:
     machine_speed : float
         No feed above this [mm/s].
     least_run : float, optional
-        Least length of one feed [mm]; by default half the cutter's radius.
+        Least length of one feed [mm]; by default 0.3 of the cutter's radius.
 
     Raises
     ------
@@ -122,6 +128,7 @@ def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> To
     lengths = toolpath.lengths
     ends = np.cumsum(lengths)
     cuts, rungs = [], []
+    idle = _idle_spans(stations, toolpath.roles, engagement, rules.cutter_radius)
     for first, last in _stretches(follows):
         span = (ends[first] - lengths[first], ends[last])
         edges, allowed = _steps_between(stations, ratios, *span)
@@ -130,8 +137,9 @@ def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> To
         edges, levels = _snap(edges, levels, ends[first : last + 1], least * SNAP)
         cuts.append(edges[1:])
         rungs.append(levels)
-    pieces = _split(toolpath, np.concatenate([*cuts, np.zeros(0)]))
+    pieces = _split(toolpath, np.unique(np.concatenate([*cuts, idle.ravel()])))
     feeds, roles = toolpath.feeds[pieces.moves], toolpath.roles[pieces.moves]
+    roles = np.where(_are_within(pieces.middles, idle), np.int8(Role.LINK), roles)
     planned = _whole(feeds * _ratio_at(pieces.middles, cuts, rungs))
     feeds = np.where(follows[pieces.moves], planned, feeds)
     feeds = np.where(roles == Role.LINK, rules.link_feed, feeds)
@@ -197,10 +205,26 @@ def _allowed_ratios(
     if rules.mode is FeedMode.CONSTANT:
         return stations, above
     thickest = np.sin(min(limit, np.pi / 2))
-    sines = np.sin(np.minimum(angles, np.pi / 2))
-    thin = thickest / np.maximum(sines, thickest / rules.largest_ratio)
+    thin = thickest / np.clip(engagement.chips, thickest / rules.largest_ratio, thickest)
     raised = np.where(angles < limit, thin, above)
     return stations, np.where(roles == Role.FINISH, np.minimum(raised, 1.0), raised)
+
+
+def _idle_spans(
+    stations: Floats, roles: NDArray[np.int8], engagement: Measured, radius: float
+) -> Floats:
+    """Return from which to which station cuts meet no stock, shape (s, 2) [mm]."""
+    idle = (engagement.angles <= 0) & (roles[engagement.moves] == Role.CUT)
+    if len(idle) == 0:
+        return np.empty((0, 2))
+    spans = stations[np.array(_stretches(idle), np.int64).reshape(-1, 2)]
+    spans = spans[np.diff(spans)[:, 0] > IDLE * radius]
+    return spans + IDLE_MARGIN * radius * np.array([1, -1])
+
+
+def _are_within(stations: Floats, spans: Floats) -> NDArray[np.bool_]:
+    """Return which stations are in one of the spans, ascending and apart."""
+    return np.searchsorted(spans[:, 0], stations) > np.searchsorted(spans[:, 1], stations)
 
 
 def _steps_between(

@@ -43,6 +43,13 @@ class Gaps:
         wide = cutter_radius * np.abs(np.sin(self.ends) - np.sin(self.begins))
         return np.bincount(self.rims, wide, minlength=n).astype(float)
 
+    def foremost(self, n: int) -> Floats:
+        """Return the largest cosine of rim angles in the gaps of each of `n` rims; 0 for none."""
+        nearest = np.maximum(np.maximum(self.begins, -self.ends), 0.0)
+        found = np.zeros(n)
+        np.maximum.at(found, self.rims, np.cos(nearest))
+        return found
+
     def contain(self, n: int, angle: float) -> NDArray[np.bool_]:
         """Return which of `n` rims have a gap around an angle [rad]."""
         found = np.zeros(n, bool)

@@ -101,12 +101,11 @@ def floors(pieces: Pieces, known: Sequence[float]) -> Floats:
 def chip_loads(toolpath: Toolpath, engagement: Engagement, feed: float, limit: float) -> Floats:
     """Return the chip load of each sample over that of a straight cut, shape (k,).
 
-    Feed times the sine of the engagement (a chip is thickest at 90 degrees), over the same of
-    `feed` [mm/s] at the engagement `limit` [rad].
+    Feed times the thickness of the thickest chip, over the same of `feed` [mm/s] at the engagement
+    `limit` [rad].
     """
-    thick = np.sin(np.minimum(engagement.angles, np.pi / 2))
     full = feed * np.sin(min(limit, np.pi / 2))
-    return toolpath.feeds[engagement.moves] * thick / full
+    return toolpath.feeds[engagement.moves] * engagement.chips / full
 
 
 def _near_any(z: Floats, levels: Floats) -> NDArray[np.bool_]:

@@ -31,6 +31,10 @@ class Measured(Protocol):
         """Engagement angles, shape (k,) [rad]."""
 
     @property
+    def chips(self) -> Floats:
+        """Thickness of the thickest chip over the feed per tooth, shape (k,)."""
+
+    @property
     def lengths(self) -> Floats:
         """Length of path each stands for, shape (k,) [mm]."""
 

@@ -86,6 +86,24 @@ def test_circle_growing_by_a_step_follows_the_cosine_rule(radius, step, ccw):
     assert second.max() == pytest.approx(math.degrees(math.acos(cosine)), abs=1e-6)
 
 
+@pytest.mark.parametrize("stepover", [0.3, 1.2, 2.4])
+def test_chip_of_a_pass_is_the_sine_of_its_engagement_up_to_a_right_angle(stepover):
+    path = lines(started(), (60.0, 0.0), (60.0, stepover), (0.0, stepover))
+    engagement = measured(path)
+    middle = (engagement.moves == last_move(path)) & (abs(engagement.points[:, 0] - 30) < 15)
+    assert engagement.chips[middle] == pytest.approx(np.sin(engagement.angles[middle]))
+
+
+def test_chip_of_a_rib_is_that_of_its_far_side():
+    # a rib between y = 3 and y = 5 beside the slot is met from the slot at y = 8 on
+    path = lines(started(), (60.0, 0.0), (60.0, 8.0), (0.0, 8.0), (0.0, 5.5), (60.0, 5.5))
+    engagement = measured(path)
+    middle = (engagement.moves == last_move(path)) & (abs(engagement.points[:, 0] - 30) < 15)
+    near, far = math.acos(2.5 / R), math.acos(0.5 / R)
+    assert engagement.angles[middle] == pytest.approx(far - near)
+    assert engagement.chips[middle] == pytest.approx(math.sin(far))
+
+
 def test_circle_inside_a_cleared_ring_follows_the_cosine_rule():
     radius, step = 12.0, 2.0
     builder = started(radius + step)

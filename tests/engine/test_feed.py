@@ -37,6 +37,7 @@ class Engagement(NamedTuple):
 
     points: np.ndarray
     angles: np.ndarray
+    chips: np.ndarray
     lengths: np.ndarray
     moves: np.ndarray
 
@@ -62,7 +63,8 @@ def engaged(path: Toolpath, angle_at) -> Engagement:
     begins = np.cumsum(path.lengths) - path.lengths
     points = points_at(path, moves, (stations - begins[moves]) / path.lengths[moves])
     angles = np.broadcast_to(angle_at(stations), stations.shape).astype(float)
-    return Engagement(points, angles, np.full(len(stations), SPACING), moves)
+    chips = np.sin(np.minimum(angles, np.pi / 2))
+    return Engagement(points, angles, chips, np.full(len(stations), SPACING), moves)
 
 
 def feeds_at(path: Toolpath, stations: np.ndarray) -> np.ndarray:
@@ -114,6 +116,36 @@ def test_raised_feed_is_capped(changes, largest):
     )
     assert largest / RUNG < planned.feeds[0] / FEED <= largest * (1 + DEAD_BAND)
     assert planned.feeds.max() <= changes.get("machine_speed", np.inf)
+
+
+def test_a_rib_makes_chips_as_thick_as_its_far_side_does():
+    path, low = straight(100), math.radians(35.0)
+    engagement = engaged(path, lambda s: low)._replace(chips=np.full(400, math.sin(LIMIT)))
+    planned = plan_feeds(path, engagement, rules(FeedMode.CHIP_THICKNESS))
+    assert planned.feeds == pytest.approx(FEED)
+
+
+@pytest.mark.parametrize("mode", list(FeedMode))
+@pytest.mark.parametrize("role", [Role.CUT, Role.FINISH])
+def test_a_cut_that_meets_no_stock_for_long_is_a_link(mode, role):
+    path = straight(40, 60, role=role)
+    idle = engaged(path, lambda s: np.where((s > 30) & (s < 60), 0.0, LIMIT))
+    planned = plan_feeds(path, idle, rules(mode))
+    links = planned.roles == Role.LINK
+    ends = np.cumsum(planned.lengths)
+    if role is Role.FINISH:
+        assert not links.any()
+        return
+    assert planned.lengths[links].sum() == pytest.approx(30 - 0.2 * RADIUS, abs=2 * SPACING)
+    assert (ends - planned.lengths)[links].min() > 30 and ends[links].max() < 60
+    assert (planned.feeds[links] == LINK_FEED).all()
+
+
+@pytest.mark.parametrize("mode", list(FeedMode))
+def test_a_short_way_without_stock_is_no_link(mode):
+    path = straight(100)
+    idle = engaged(path, lambda s: np.where(abs(s - 50) < 0.4 * RADIUS, 0.0, LIMIT))
+    assert not (plan_feeds(path, idle, rules(mode)).roles == Role.LINK).any()
 
 
 def test_lap_along_the_wall_is_never_raised():
@@ -275,7 +307,7 @@ def test_runs_far_along_a_path_come_to_an_end():
 
 def test_path_without_moves_or_samples():
     empty = ToolpathBuilder((0, 0, 0)).build()
-    none = Engagement(np.zeros((0, 3)), np.zeros(0), np.zeros(0), np.zeros(0, int))
+    none = Engagement(np.zeros((0, 3)), *np.zeros((3, 0)), np.zeros(0, int))
     assert len(plan_feeds(empty, none, rules(FeedMode.CONSTANT))) == 0
     path = straight(10, 20)
     np.testing.assert_array_equal(
