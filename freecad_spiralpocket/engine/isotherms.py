@@ -39,7 +39,7 @@ HALVINGS = 3
 #: Between the points that are fitted a lap may be so much farther from its isotherm, and where it
 #: keeps inside of the one before, and by so much more over the grid's spacing, as the contour's
 #: chords cut its bends; one in so many of its points is looked at.
-FARTHER, BULGE, SOME = 1.5, 0.1, 3
+FARTHER, BULGE, SOME = 1.5, 0.1, 5
 #: The last lap keeps off the wall by this [mm].
 INSET = 0.01
 #: It is refitted within these shares of that, the first that keeps off; about so long are its
@@ -217,21 +217,25 @@ def rooms_at(family: Family, room: Room, level: float) -> list[Room]:
     """Return the rooms within the laps at `level`, laps refitted, the hottest last."""
     field = family.field
     rooms = []
-    labels, _ = ndimage.label(room.nodes & (np.nan_to_num(field.values) > level))
-    for part in isotherms(family, room, level):
-        x, y = field.xy
-        columns = np.flatnonzero((x > part.bounds[0]) & (x < part.bounds[2]))
-        rows = np.flatnonzero((y > part.bounds[1]) & (y < part.bounds[3]))
-        window = np.ix_(rows, columns)
-        grid = np.meshgrid(x[columns], y[rows])
-        inside = shapely.contains_xy(part, *grid) & (labels[window] > 0)
-        if not inside.any():
-            continue
-        nodes = np.zeros_like(room.nodes)
-        nodes[window] = inside
-        lap, patches = _nested(family, part, room)
-        rooms.append(Room(lap, level, nodes, patches))
+    hotter = room.nodes & (np.nan_to_num(field.values) > level)
+    parts = isotherms(family, room, level)
+    whole = len(parts) == 1 and ndimage.label(hotter)[1] == 1
+    for part in parts:
+        nodes = hotter if whole else _nodes_in(part, hotter, field)
+        if nodes.any():
+            lap, patches = _nested(family, part, room)
+            rooms.append(Room(lap, level, nodes, patches))
     return sorted(rooms, key=lambda r: r.peak(field)[1])
+
+
+def _nodes_in(part: Polygon, nodes: NDArray[np.bool_], field: HeatField) -> NDArray[np.bool_]:
+    """Return which of some nodes lie in a polygon."""
+    rows, columns = np.nonzero(nodes)
+    x, y = field.xy
+    inside = shapely.contains_xy(part, x[columns], y[rows])
+    found = np.zeros_like(nodes)
+    found[rows[inside], columns[inside]] = True
+    return found
 
 
 def points_of(region: Polygon) -> Floats:

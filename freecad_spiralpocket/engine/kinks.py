@@ -22,6 +22,22 @@ REACH, FADE = 6.0, 2.0
 SPACING = 0.2
 
 
+def reach_of_kinks(radius: float) -> float:
+    """Return over which length to both sides a kink is spread [mm]."""
+    return REACH * WIDTHS[0] * radius
+
+
+def has_kink(points: Floats) -> bool:
+    """Return whether a path of points of shape (n, 2), none twice, has a kink."""
+    return bool((_turns(np.diff(points, axis=0)) > KINK).any())
+
+
+def _turns(steps: Floats) -> Floats:
+    """Return by how much each step turns from the one before, shape (n - 1,) [rad]."""
+    heading = np.arctan2(steps[:, 1], steps[:, 0])
+    return np.asarray(np.abs((np.diff(heading) + np.pi) % (2 * np.pi) - np.pi))
+
+
 def softened(points: Floats, radius: float, most: float) -> Floats:
     """Return a path whose kinks are spread as widely as moves no point too far.
 
@@ -38,13 +54,12 @@ def softened(points: Floats, radius: float, most: float) -> Floats:
     lengths = np.hypot(steps[:, 0], steps[:, 1])
     kept = np.append(lengths > 1e-9, True)
     points, steps, lengths = points[kept], steps[kept[:-1]], lengths[kept[:-1]]
-    heading = np.arctan2(steps[:, 1], steps[:, 0])
-    turns = np.abs((np.diff(heading) + np.pi) % (2 * np.pi) - np.pi)
+    turns = _turns(steps)
     along = np.concatenate([[0.0], np.cumsum(lengths)])
     kinks = along[1:-1][turns > KINK]
     if len(kinks) == 0:
         return points
-    reach = REACH * WIDTHS[0] * radius
+    reach = reach_of_kinks(radius)
     begins, ends = np.maximum(kinks - reach, 0.0), np.minimum(kinks + reach, along[-1])
     # windows that overlap are one
     first = np.concatenate([[True], begins[1:] > ends[:-1]])

@@ -27,7 +27,7 @@ from shapely import Polygon
 from .cleared import ClearedMap
 from .entry import slot_end
 from .floor import FloorPath, Helix, Pass, Slot
-from .kinks import softened
+from .kinks import has_kink, reach_of_kinks, softened
 from .linking import Motion, leave_wall
 from .model import Floats, PocketRequest, Tick
 from .ordering import Run, Step, order
@@ -46,6 +46,8 @@ WIDEST = 1.3
 ALONG, SLOWEST = 9, 0.3
 #: Points that matter less than this share of the tolerance are dropped.
 SLIM = 0.3
+#: A lap that ends beside a kink, which could not be spread there, goes on by its reach so often.
+ONWARD = 3
 #: Spreading kinks moves no point farther than this over the step-over.
 SOFT = 0.15
 #: Rings keep within this where a chain goes over from one to another [mm].
@@ -298,7 +300,13 @@ class _Walker:
             wall = self.chain[-1].ring.points
             return ring_from(wall[:-1], ring.at(np.array([place]))[0])
         count = max(32, math.ceil(ring.length / SPACING))
-        return ring.at(place + np.arange(1, count + 1) * ring.length / count)
+        step, reach = ring.length / count, reach_of_kinks(self.request.cutter_radius)
+        for onward in range(ONWARD + 1):
+            end = count + math.ceil(onward * reach / step)
+            lap = ring.at(place + np.arange(1.0, end + 1.0) * step)
+            if not has_kink(lap[-math.ceil(reach / step) - 2 :]):
+                break
+        return lap
 
 
 def _side_by_side(source: Ring, target: Ring, starts: Floats, radius: float) -> NDArray[np.bool_]:

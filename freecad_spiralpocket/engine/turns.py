@@ -73,7 +73,8 @@ class Ring:
         O(log n) for each: the nearest place is beside the nearest vertex, if these are close.
         """
         n = len(self.points) - 1
-        nearest = cKDTree(self.points[:-1]).query(points)[1]
+        tree = cKDTree(self.points[:-1], balanced_tree=False, compact_nodes=False)
+        nearest = tree.query(points)[1]
         found = []
         for first in ((nearest - 1) % n, nearest):
             a, b = self.points[first], self.points[first + 1]
@@ -127,9 +128,10 @@ def match(inner: Ring, outer: Ring, places: Floats, moved: Floats) -> Match:
     """
     # beside a saddle the gradient leads astray
     points = outer.at(places)
-    nearest = inner.at(inner.locate(points))
+    beside, at = np.split(inner.locate(np.vstack([points, moved])), 2)
+    nearest = inner.at(beside)
     astray = np.hypot(*(moved - points).T) > ASTRAY * np.hypot(*(nearest - points).T) + SLACK
-    at = inner.locate(np.where(astray[:, None], points, moved))
+    at = np.where(astray, beside, at)
     steps = np.diff(at, append=at[:1])
     steps = (steps + inner.length / 2) % inner.length - inner.length / 2
     # rulings do not cross: the nearest order that never goes back

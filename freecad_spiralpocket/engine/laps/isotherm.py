@@ -57,7 +57,7 @@ from .closing import corner_fillet
 #: Steps of the search for the next isotherm. It begins with this share of the temperature left, and
 #: ends where the distance is this close to the step-over; distances are measured from every so
 #: many points of a lap.
-BISECTIONS, FIRST_SHARE, CLOSE, THINNED = 14, 0.08, 0.97, 4
+BISECTIONS, FIRST_SHARE, CLOSE, THINNED = 14, 0.08, 0.97, 5
 #: Refitted laps may be farther apart by this factor.
 REFITTED = 1.02
 #: A step of less than this share of the temperature left is no step.
