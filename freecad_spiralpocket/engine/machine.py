@@ -132,4 +132,5 @@ MIDDLING = Machine("Middling", (200.0,) * 3, (1000.0,) * 3)
 def _along(directions: Floats, limits: Axes) -> Floats:
     """Return the largest length of a vector in each direction that keeps every axis' limit."""
     with np.errstate(divide="ignore", over="ignore"):
-        return np.min(np.asarray(limits) / np.abs(directions), axis=-1)
+        x, y, z = (limit / np.abs(directions[..., i]) for i, limit in enumerate(limits))
+    return np.minimum(np.minimum(x, y), z)

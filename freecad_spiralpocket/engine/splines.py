@@ -8,6 +8,8 @@ one array expression. scipy does the interpolation and the change of basis.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from .model import Floats, SplineCurve
@@ -28,14 +30,49 @@ def periodic_cubic(points: Floats) -> tuple[Floats, Floats]:
     controls : ndarray of shape (n, 2)
         Periodic control points: piece ``i`` depends on controls ``i .. i + 3`` (modulo n).
     """
-    from scipy.interpolate import make_interp_spline
-
-    closed = np.vstack([points, points[:1]])
-    chords = np.linalg.norm(np.diff(closed, axis=0), axis=1)
+    chords = np.hypot(*np.diff(points, axis=0, append=points[:1]).T)
     breaks = np.concatenate([[0.0], np.cumsum(chords)])
     breaks /= breaks[-1]
-    spline = make_interp_spline(breaks, closed, k=3, bc_type="periodic")
-    return breaks, np.asarray(spline.c)[: len(points)]
+    return breaks, periodic_controls(breaks, points)
+
+
+def periodic_controls(breaks: Floats, points: Floats) -> Floats:
+    """Return the control points of the closed C2 cubic spline that passes points at breaks.
+
+    Parameters
+    ----------
+    breaks : ndarray of shape (n + 1,)
+        From 0 to 1.
+    points : ndarray of shape (n, 2)
+        At all but the last, where the first comes again; ``n >= 3``.
+
+    Returns
+    -------
+    ndarray of shape (n, 2)
+        See `periodic_cubic`.
+    """
+    from scipy.linalg.lapack import dgtsv
+
+    # at break i the controls i, i + 1, i + 2 count
+    step = np.diff(breaks)
+    past, far, ahead = np.roll(step, 1), np.roll(step, 2), np.roll(step, -1)
+    first = step**2 / ((past + step) * (far + past + step))
+    third = past**2 / ((past + step) * (past + step + ahead))
+    second = 1 - first - third
+    # a ring of three diagonals is three diagonals and a product (Sherman and Morrison)
+    corner = -second[0]
+    second[-1] -= first[0] * third[-1] / corner
+    second[0] -= corner
+    more = np.zeros(len(step))
+    more[0], more[-1] = corner, third[-1]
+    right = np.column_stack([points, more])
+    *_, found, failed = dgtsv(first[1:], second, third[:-1], right)
+    if failed:
+        raise np.linalg.LinAlgError("The points are too close together for a spline.")
+    found, extra = found[:, :2], found[:, 2:]
+    share = first[0] / corner
+    back = (found[0] + share * found[-1]) / (1 + extra[0] + share * extra[-1])
+    return np.asarray(np.roll(found - extra * back, 1, axis=0))
 
 
 def periodic_beziers(breaks: Floats, controls: Floats) -> Floats:
@@ -139,13 +176,19 @@ def sample_beziers(beziers: Floats, tolerance: float) -> Floats:
         First and last point are the curve's ends.
     """
     degree = beziers.shape[1] - 1
-    bend = np.linalg.norm(np.diff(beziers, n=2, axis=1), axis=2).max(axis=1)
+    second = np.diff(beziers, n=2, axis=1)
+    bend = np.hypot(second[..., 0], second[..., 1]).max(axis=1)
     counts = np.maximum(1, np.ceil(np.sqrt(degree * (degree - 1) / 8 * bend / tolerance)))
     counts = counts.astype(int)
     piece = np.repeat(np.arange(len(beziers)), counts)
     offset = np.concatenate([[0], np.cumsum(counts)[:-1]])
     t = ((np.arange(len(piece)) - offset[piece] + 1) / counts[piece])[:, None]
-    points = beziers[piece]
-    for _ in range(degree):  # de Casteljau
-        points = points[:, :-1] + (points[:, 1:] - points[:, :-1]) * t[:, None]
-    return np.vstack([beziers[0, :1], points[:, 0]])
+    # powers of t about the start of each piece: differences times binomials
+    powers = [
+        math.comb(degree, k) * np.diff(beziers[:, : k + 1], n=k, axis=1)[:, 0]
+        for k in range(degree + 1)
+    ]
+    points = powers[degree][piece]
+    for power in powers[-2::-1]:
+        points = points * t + power[piece]
+    return np.vstack([beziers[0, :1], points])

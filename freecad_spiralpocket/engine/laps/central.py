@@ -36,7 +36,7 @@ from ..machine import MIDDLING
 from ..model import Floats, PocketRequest, Tick
 from ..polyline import ring_from, turning_samples
 from ..region import grow, polygons_of
-from ..splines import periodic_beziers, periodic_cubic, sample_beziers
+from ..splines import periodic_beziers, periodic_controls, periodic_cubic, sample_beziers
 from ..starshape import deepest_center
 from ..timing import polyline_seconds
 from .closing import closing_passes, corner_fillet
@@ -99,16 +99,19 @@ def floor_path(
     widest = max(stepover, min(thickest * stepover, WIDEST * request.tool_diameter))
     steps = np.array([stepover, widest])
 
-    def spiral(share: float, tolerance: float) -> Floats:
-        end, step = transition(rays, radius, share * room, steps)
+    def spiral(transit: tuple[float, float], tolerance: float) -> Floats:
+        end, step = transit
         turns = circular_turns(center, radius, end, stepover, tolerance)
         _, morph = spiral_beziers(breaks, center + end * circle, outer, step)
         return np.vstack([turns[:-1], sample_beziers(morph, tolerance)])
 
-    if ratio is None:
-        ratio = min(RATIOS, key=lambda share: _seconds(spiral(share, COARSE), request))
+    shares = RATIOS if ratio is None else (ratio,)
+    # several shares may come to the same circle
+    found = list(dict.fromkeys(transition(rays, radius, s * room, steps) for s in shares))
+    if len(found) > 1:
+        found.sort(key=lambda transit: _seconds(spiral(transit, COARSE), request))
     tick(0.9)
-    points = spiral(ratio, request.tolerance / 2)
+    points = spiral(found[0], request.tolerance / 2)
     start = points[0] - center
     helix = Helix(center, radius, math.atan2(start[1], start[0]))
     rounded = sample_beziers(periodic_beziers(breaks, outer), request.tolerance / 2)
@@ -238,13 +241,9 @@ def unit_circle(center: Floats, breaks: Floats, outer: Floats) -> Floats:
     ndarray of shape (n, 2)
         Periodic control points over the same breaks.
     """
-    from scipy.interpolate import make_interp_spline
-
     rays = periodic_beziers(breaks, outer)[:, 0] - center
     rays /= np.linalg.norm(rays, axis=1)[:, None]
-    closed = np.vstack([rays, rays[:1]])
-    spline = make_interp_spline(breaks, closed, k=3, bc_type="periodic")
-    return np.asarray(spline.c)[: len(rays)]
+    return periodic_controls(breaks, rays)
 
 
 def _seconds(spiral: Floats, request: PocketRequest) -> float:
