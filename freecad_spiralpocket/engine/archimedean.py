@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import shapely
@@ -40,7 +41,7 @@ FINE = 0.1
 SAG = 0.003
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Spiral:
     """The offsets of a center between which a spiral unwinds.
 
@@ -54,7 +55,7 @@ class Spiral:
     center: Center
     within: tuple[Polygon, ...]
 
-    @property
+    @cached_property
     def rings(self) -> list[LineString]:
         """Return the offsets as closed lines, counter-clockwise."""
         return [LineString(p.exterior.coords) for p in self.within]

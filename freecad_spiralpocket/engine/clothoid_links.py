@@ -89,24 +89,26 @@ def clothoid_link(
         Of the points when a link is tested [mm].
     """
     for lead in LEADS:
-        found = []
-        for i, end in enumerate(ends):
-            out, back = _leads(start, end, lead, radius)
-            corners, tangents = _candidates(out, back, radius)
-            if len(corners) == 0:
-                continue
-            paths = _sampled(out, back, corners, tangents)
-            # what turns away from the stock begins on the very edge of free ground
-            safe = CORNER - 1 if lead[1] > 0 else 0
-            free = cleared.are_free(paths[:, safe : paths.shape[1] - safe])
-            times = np.where(free, link_times(paths, motion), np.inf)
-            order = np.argsort(times, kind="stable")[: min(TRIED, int(free.sum()))]
-            found += [(float(times[k]), i, out, back, corners[k], tangents[k]) for k in order]
-        found.sort(key=lambda f: f[:2])
-        for _, i, out, back, polyline, taken in found[:TRIED]:
-            path = through(out, polyline, taken.tolist()).then_back(back)
+        out = _lead(start, lead, radius)
+        backs = [_lead(_backwards(end), lead, radius, -1.0) for end in ends]
+        tip = _tip(out)
+        found = [_candidates(tip, _tip(back), radius) for back in backs]
+        which = np.repeat(np.arange(len(ends)), [len(corners) for corners, _ in found])
+        if len(which) == 0:
+            continue
+        corners, tangents = (np.concatenate(parts) for parts in zip(*found, strict=True))
+        leads = [p.points_at(np.linspace(0.0, p.length, CORNER)) for p in (out, *backs)]
+        paths = _sampled(leads[0], np.array(leads[1:])[which], corners, tangents)
+        # what turns away from the stock begins on the very edge of free ground
+        safe = CORNER - 1 if lead[1] > 0 else 0
+        free = cleared.are_free(paths[:, safe : paths.shape[1] - safe])
+        times = np.full(len(paths), np.inf)
+        times[free] = link_times(paths[free], motion)
+        for k in np.argsort(times, kind="stable")[: min(TRIED, int(free.sum()))].tolist():
+            way = through(out, corners[k], tangents[k].tolist())
+            path = way.then_back(backs[which[k]])
             if fence.covers(LineString(path.sampled(tolerance))):
-                return path, i
+                return path, int(which[k])
     return None
 
 
@@ -124,7 +126,8 @@ def clothoid_way(
     are those of `clothoid_link`.
     """
     for lead in LEADS:
-        out, back = _leads(start, end, lead, radius)
+        out = _lead(start, lead, radius)
+        back = _lead(_backwards(end), lead, radius, -1.0)
         (p, u), (q, v) = _tip(out), _tip(back)
         way = shortest_way(p, q, cleared)
         if way is None:
@@ -171,21 +174,22 @@ def _is_free(
 
 def turn_away(place: Place, radius: float) -> ClothoidPath:
     """Return the clothoids that leave a place to the left, away from the stock."""
-    length, tight = LEADS[1][0] * radius, LEADS[1][1] / radius
-    path = begin(place.point, place.heading, place.curvature)
-    return path.then(length, tight).then(length, 0.0)
+    return _lead(place, LEADS[1], radius)
 
 
-def _leads(
-    start: Place, end: Place, lead: tuple[float, float], radius: float
-) -> tuple[ClothoidPath, ClothoidPath]:
-    """Return the clothoids that leave one place, and, run backwards, those that reach another."""
+def _backwards(place: Place) -> Place:
+    return Place(place.point, place.heading + math.pi, -place.curvature)
+
+
+def _lead(
+    place: Place, lead: tuple[float, float], radius: float, side: float = 1.0
+) -> ClothoidPath:
+    """Return the clothoids that leave a place, tightening to the left first, or right for -1."""
     length, tight = lead[0] * radius, lead[1] / radius
-    out = begin(start.point, start.heading, start.curvature)
-    back = begin(end.point, end.heading + math.pi, -end.curvature)
+    path = begin(place.point, place.heading, place.curvature)
     if tight > 0:
-        out, back = out.then(length, tight), back.then(length, -tight)
-    return out.then(length, 0.0), back.then(length, 0.0)
+        path = path.then(length, side * tight)
+    return path.then(length, 0.0)
 
 
 def _tip(path: ClothoidPath) -> tuple[Floats, Floats]:
@@ -195,9 +199,14 @@ def _tip(path: ClothoidPath) -> tuple[Floats, Floats]:
     return path.points_at(end)[0], np.array([math.cos(heading), math.sin(heading)])
 
 
-def _candidates(out: ClothoidPath, back: ClothoidPath, radius: float) -> tuple[Floats, Floats]:
-    """Return polylines of two corners, shape (m, 4, 2), and the tangents there, shape (m, 2)."""
-    (p, u), (q, v) = _tip(out), _tip(back)
+def _candidates(
+    out: tuple[Floats, Floats], back: tuple[Floats, Floats], radius: float
+) -> tuple[Floats, Floats]:
+    """Return polylines of two corners, shape (m, 4, 2), and the tangents there, shape (m, 2).
+
+    From one tip of a lead to another; see `_tip`.
+    """
+    (p, u), (q, v) = out, back
     reach = radius * np.array(REACHES)
     along_u, along_v = (g.ravel() for g in np.meshgrid(reach, reach, indexing="ij"))
     a, b = p + along_u[:, None] * u, q + along_v[:, None] * v
@@ -231,14 +240,23 @@ def _turns(edges: Floats) -> Floats:
     return np.arctan2(cross, (a * b).sum(axis=-1))
 
 
-def _sampled(out: ClothoidPath, back: ClothoidPath, corners: Floats, tangents: Floats) -> Floats:
-    """Return points of all candidates, shape (m, n, 2)."""
+def _sampled(out: Floats, back: Floats, corners: Floats, tangents: Floats) -> Floats:
+    """Return points of all candidates, shape (m, n, 2).
+
+    Parameters
+    ----------
+    out : ndarray of shape (k, 2)
+        On the lead from where all begin [mm].
+    back : ndarray of shape (m, k, 2)
+        On the leads, backwards, to where they end [mm].
+    corners, tangents : ndarray of shape (m, 4, 2) and (m, 2)
+        See `_candidates`.
+    """
     m = len(corners)
     edges = np.diff(corners, axis=1)
     units = edges / np.hypot(edges[..., 0], edges[..., 1])[..., None]
     turns = _turns(edges)
-    leads = [p.points_at(np.linspace(0.0, p.length, CORNER)) for p in (out, back)]
-    pieces = [np.broadcast_to(leads[0][:-1], (m, CORNER - 1, 2))]
+    pieces = [np.broadcast_to(out[:-1], (m, len(out) - 1, 2))]
     here = corners[:, 0]
     for i in (0, 1):
         before, after, rounded = _corner(
@@ -246,7 +264,7 @@ def _sampled(out: ClothoidPath, back: ClothoidPath, corners: Floats, tangents: F
         )
         pieces += [_line(here, before), rounded]
         here = after
-    pieces += [_line(here, corners[:, 3]), np.broadcast_to(leads[1][::-1][1:], (m, CORNER - 1, 2))]
+    pieces += [_line(here, corners[:, 3]), back[:, -2::-1]]
     return np.concatenate(pieces, axis=1)
 
 

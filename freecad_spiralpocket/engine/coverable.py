@@ -178,9 +178,11 @@ def _center(
     radius: float,
 ) -> Center:
     """Return the center along nodes, as smooth as it can be without costing a lap."""
+    wall = region.boundary
+    shapely.prepare(wall)
 
     def laps_about(curve: LineString | Point) -> int:
-        room = float(shapely.distance(curve, region.boundary)) - half_width
+        room = float(shapely.distance(wall, curve)) - half_width
         return max(0, int(room / stepover + 1e-6))
 
     widest = nodes[int(np.argmax(axis.clearance[nodes]))]
