@@ -8,7 +8,7 @@ import FreeCAD
 import FreeCADGui
 import pytest
 from pivy import coin
-from PySide import QtGui
+from PySide import QtCore, QtGui
 from snapshot import differences, snapshot
 from window import (
     APPLY,
@@ -197,14 +197,11 @@ def test_closed_panel_leaves_no_name_for_its_buttons(operation):
 
 
 def names_of_what_is_gone():
-    """Return the widgets and layouts that Python still takes for alive, though they are not."""
-    kinds = (QtGui.QWidget, QtGui.QLayout)
+    """Return the names of widgets that Python still takes for alive, though they are not."""
     gc.disable()  # PySide 2 crashes if widgets are collected while it lists them
     try:
-        widgets = QtGui.QApplication.allWidgets()
-        layouts = [layout for w in widgets for layout in w.findChildren(QtGui.QLayout)]
-        alive = {shiboken.getCppPointer(o)[0] for o in (*widgets, *layouts)}
-        named = [o for o in shiboken.getAllValidWrappers() if isinstance(o, kinds)]
+        alive = {shiboken.getCppPointer(w)[0] for w in QtGui.QApplication.allWidgets()}
+        named = [o for o in shiboken.getAllValidWrappers() if isinstance(o, QtGui.QWidget)]
         return {id(o) for o in named if shiboken.getCppPointer(o)[0] not in alive}
     finally:
         gc.enable()
@@ -220,9 +217,14 @@ def test_closed_panel_leaves_no_names_for_what_is_gone(operation, close):
     before = names_of_what_is_gone()
     for _ in range(2):
         edit(operation)
+        forms = [page.form for page in panel().featurePages]
+        named = [o for f in forms for o in vars(f).values() if isinstance(o, QtCore.QObject)]
+        named += [*forms, *panel().form, panel().buttonBox]
+        assert any(isinstance(o, QtGui.QLayout) for o in named)
         close()
         wait_for(lambda: not is_panel_open())
         pump(0.2)
+        assert not any(map(shiboken.isValid, named))
     assert not names_of_what_is_gone() - before
     assert operation.ViewObject.Proxy.panel is None
     assert FreeCAD.getActiveTransaction() is None
