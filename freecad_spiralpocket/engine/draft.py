@@ -20,8 +20,9 @@ from .checks import check_request
 from .fronts import ROOM, STALLED, FrontRules, engagement_step, largest, oriented
 from .laps import automatic
 from .model import CutMode, Floats, PocketRequest
+from .outline import outline_of
 from .region import center_regions
-from .starts import candidates
+from .starts import candidates, island_ring
 
 #: Outlines are coarse by this much, over R; chords in a quarter circle.
 COARSE, QUADRANT = 0.02, 4
@@ -40,6 +41,8 @@ class Opening:
 
     Attributes
     ----------
+    kind : str
+        The name of its `starts.Start`.
     visited, omega : shapely.Polygon
         See `starts.Start`.
     walls : shapely.Polygon
@@ -48,6 +51,7 @@ class Opening:
         The entry's last lap [mm].
     """
 
+    kind: str
     visited: Polygon
     omega: Polygon
     walls: Polygon
@@ -82,18 +86,57 @@ def openings(request: PocketRequest) -> list[Opening]:
         If no part of the pocket can be cut as asked.
     """
     check_request(request)
-    radius = request.cutter_radius
-    mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
     found = []
-    for region in center_regions(request.pocket, radius, request.cutting.stock_to_leave):
-        region = oriented(shapely.simplify(_mirrored(region) if mirrored else region, 0.001))
+    for region in _regions(request):
         starts = candidates(region, request)
         near = automatic.FEW * request.cutting.stepover
         start = automatic.promising(starts, region, near)[0]
         walls = start.omega if start.within is None else region
         ring = shapely.get_coordinates(start.ring)
-        found.append(Opening(start.visited, start.omega, walls, ring))
+        found.append(Opening(start.name, start.visited, start.omega, walls, ring))
     return found
+
+
+def reopened(opened: list[Opening], request: PocketRequest) -> list[Opening] | None:
+    """Return the same openings in walls that have moved a little, sooner than `openings`.
+
+    None where the pocket has other regions now, or one of them cannot be opened like that.
+    """
+    check_request(request)
+    regions = _regions(request)
+    if len(regions) != len(opened):
+        return None
+    moved = [_moved(*pair, request) for pair in zip(opened, regions, strict=True)]
+    return None if None in moved else [opening for opening in moved if opening is not None]
+
+
+def _moved(opening: Opening, region: Polygon, request: PocketRequest) -> Opening | None:
+    """Return an opening in a region with other walls."""
+    kind = opening.kind
+    if kind == "outline":
+        outline = outline_of(region, request.cutter_radius)
+        if outline is None:
+            return None
+        ring = shapely.get_coordinates(outline.ring)
+        return Opening(kind, outline.visited, outline.omega, region, ring)
+    if kind == "island ring":
+        start = island_ring(region, request)
+        if start is None:
+            return None
+        ring = shapely.get_coordinates(start.ring)
+        return Opening(kind, start.visited, start.omega, start.omega, ring)
+    visited = shapely.intersection(opening.visited, region)
+    if not isinstance(visited, Polygon) or visited.is_empty:
+        return None
+    return Opening(kind, oriented(visited), region, region, opening.ring)
+
+
+def _regions(request: PocketRequest) -> list[Polygon]:
+    """Return where the cutter's center may be, mirrored for conventional milling."""
+    mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
+    stock = request.cutting.stock_to_leave
+    regions = center_regions(request.pocket, request.cutter_radius, stock)
+    return [oriented(shapely.simplify(_mirrored(r) if mirrored else r, 0.001)) for r in regions]
 
 
 def draft(request: PocketRequest, opened: list[Opening] | None = None) -> Draft:

@@ -125,7 +125,7 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
     except CutterDoesNotFitError as error:
         failure = error
     # the axis round islands has no one path; a slot along a part of it is a poor start
-    ringed = _island_ring(region, request) if region.interiors else None
+    ringed = island_ring(region, request) if region.interiors else None
     starts.extend([ringed] if ringed is not None else _slots(region, axis, request))
     outlined = _outline(region, axis, request)
     if outlined is not None:
@@ -331,7 +331,7 @@ def bends(ring: LineString, at: Floats, window: float) -> Floats:
     return np.round(total, 3)
 
 
-def _island_ring(region: Polygon, request: PocketRequest) -> Start | None:
+def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
     """Return the ring round all islands, bridged along a shortest tree; None if it is no ring."""
     filled = Polygon(region.exterior)
     # chords of the ring cut into round islands by about so much

@@ -64,7 +64,7 @@ class _Seat:
         self._patience = QtCore.QTimer()
         self._patience.setSingleShot(True)
         self._patience.timeout.connect(self._renew_and_go_on)
-        self.worker = make_worker(self._hear)
+        self.worker = make_worker(self._hear, self._lane.is_patient)
 
     @property
     def is_free(self) -> bool:
@@ -93,7 +93,7 @@ class _Seat:
         self.job = None
         self._rest()
         self.worker.stop()
-        self.worker = make_worker(self._hear)
+        self.worker = make_worker(self._hear, self._lane.is_patient)
 
     def _rest(self) -> None:
         self._is_giving_up = False
@@ -138,10 +138,10 @@ class _Seat:
 
 
 class Lane:
-    """Up to `size` workers and the jobs for them."""
+    """Up to `size` workers and the jobs for them; patient ones leave the cores to others."""
 
-    def __init__(self, size: int) -> None:
-        self._size = size
+    def __init__(self, size: int, is_patient: bool = False) -> None:
+        self._size, self.is_patient = size, is_patient
         self._waiting: list[Job] = []
         self._seats: list[_Seat] = []
         self._idle = QtCore.QTimer()

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 SOON = 8  # ms after a change until it is looked at, so that several changes are one
 QUIET = 300  # ms without a change after which proofs begin
 AGAIN = 50  # ms, how often is asked whether the drafts are done
-TOGETHER = 250  # ms, so long drafts of some pockets wait for those of the others: the window
+TOGETHER = 500  # ms, so long drafts of some pockets wait for those of the others: the window
 # draws once, which takes longer than a draft
 MOST_SHAPES = 500  # that are kept
 

@@ -26,7 +26,7 @@ DRAFTERS = max(1, min(3, os.cpu_count() or 2))
 WAIT = 20  # ms, how long Stop may go unheard
 
 drafts = Lane(DRAFTERS)
-proofs = Lane(PROVERS)
+proofs = Lane(PROVERS, is_patient=True)
 
 _proved: dict[PocketRequest, Drawn | SpiralPocketError] = {}
 

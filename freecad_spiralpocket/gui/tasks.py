@@ -8,6 +8,7 @@ engine is loaded by the first task: without shapely the window opens all the sam
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 
 #: Openings of so many pockets are kept.
 KEPT = 64
+#: A pocket is opened as before while the stock to leave differs by no more than this, over R.
+ALIKE = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +39,8 @@ class Tasks:
     """All tasks, by name, and what they keep from one call to the next."""
 
     def __init__(self) -> None:
-        self._openings: dict[Any, list[Opening]] = {}
+        # by the stock to leave, the first one found without another
+        self._openings: dict[Any, dict[float, list[Opening]]] = {}
 
     def __getitem__(self, name: str) -> Callable[[Any, Progress], Any]:
         """Return the task of that name."""
@@ -44,21 +48,35 @@ class Tasks:
 
     def draft(self, request: PocketRequest, _: Progress) -> Draft:
         """Return rough laps; how the pocket is opened is known from the last time."""
-        from ..engine.draft import draft, openings
+        from ..engine.draft import draft
+
+        return draft(request, self._opened(request))
+
+    def _opened(self, request: PocketRequest) -> list[Opening]:
+        """Return how a pocket is opened, as the last time if its walls have hardly moved."""
+        from ..engine.draft import openings, reopened
 
         key = (
             request.pocket,
             request.tool_diameter,
-            request.cutting.stock_to_leave,
             request.cutting.cut_mode,
             request.entry,
             request.start_point,
         )
-        if key not in self._openings:
-            if len(self._openings) >= KEPT:
-                self._openings.clear()
-            self._openings[key] = openings(request)
-        return draft(request, self._openings[key])
+        stock = request.cutting.stock_to_leave
+        known = self._openings.pop(key, {})
+        if stock not in known:
+            first = next(iter(known), math.inf)
+            found = None
+            if abs(stock - first) <= ALIKE * request.cutter_radius and len(known) < KEPT:
+                found = reopened(known[first], request)
+            if found is None:
+                known, found = {}, openings(request)
+            known[stock] = found
+        self._openings[key] = known  # as the newest
+        for old in list(self._openings)[:-KEPT]:
+            del self._openings[old]
+        return known[stock]
 
     def plan(self, request: PocketRequest, progress: Progress) -> Drawn:
         """Return the proved plan, drawn."""

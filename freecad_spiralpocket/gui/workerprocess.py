@@ -19,6 +19,7 @@ import threading
 import time
 import traceback
 
+PATIENCE = 10  # lower priority by so much, where the system knows that
 UPDATE_EVERY = 0.05  # s, at most this often progress within a stage is told
 
 
@@ -33,6 +34,8 @@ def receive(inbox):
 
 def main():
     """Do tasks until there are no more."""
+    if sys.argv[1:] == ["--patient"] and hasattr(os, "nice"):
+        os.nice(PATIENCE)
     outbox = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # whatever a library prints goes to stderr
 

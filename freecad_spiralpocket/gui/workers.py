@@ -37,14 +37,25 @@ Message = tuple[Any, ...]
 Listener = Callable[[Message], None]
 
 SCRIPT = Path(__file__).with_name("workerprocess.py")
+PATIENT = "--patient"
 POLL_EVERY = 20  # ms, how often a thread's messages are looked for
 COLLECT_EVERY = 100  # ms, how often garbage is collected while a thread works
 
 
 class ProcessWorker:
-    """A process that does one job after the other; `listener` is called in the window's thread."""
+    """A process that does one job after the other.
 
-    def __init__(self, python: str, listener: Listener) -> None:
+    Parameters
+    ----------
+    python : str
+        The interpreter.
+    listener : callable
+        Called in the window's thread.
+    is_patient : bool
+        Whether it leaves the cores to others that have something to do.
+    """
+
+    def __init__(self, python: str, listener: Listener, is_patient: bool = False) -> None:
         self.python = python
         self._listener = listener
         self._is_ready = False
@@ -53,7 +64,7 @@ class ProcessWorker:
         self._process.readyReadStandardOutput.connect(self._read)
         self._process.finished.connect(self._end)
         self._process.errorOccurred.connect(self._fail)
-        self._process.start(python, ["-u", str(SCRIPT)])
+        self._process.start(python, ["-u", str(SCRIPT), *([PATIENT] if is_patient else [])])
         self._send([p for p in sys.path if isinstance(p, str)])
 
     def start(self, task: str, argument: Any) -> None:
@@ -225,10 +236,12 @@ class Interpreters:
         cls.left = [p for p in cls.left or () if p != python]
 
 
-def make_worker(listener: Listener) -> ProcessWorker | ThreadWorker:
+def make_worker(listener: Listener, is_patient: bool = False) -> ProcessWorker | ThreadWorker:
     """Return a worker: a process if there is an interpreter for it, else a thread."""
     python = Interpreters.best()
-    return ThreadWorker(listener) if python is None else ProcessWorker(python, listener)
+    if python is None:
+        return ThreadWorker(listener)
+    return ProcessWorker(python, listener, is_patient)
 
 
 def _interpreters() -> list[str]:
