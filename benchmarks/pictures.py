@@ -105,7 +105,7 @@ class Pictures:
         main_window().repaint()
         pump(0.5)
         screen = main_window().windowHandle().screen().grabWindow(0)
-        self.keep(name, screen.copy(0, 0, *SIZE))
+        self.keep(name, screen.copy(main_window().frameGeometry()))
 
     def of(self, name, shown):
         """Keep a widget."""
@@ -145,12 +145,10 @@ def is_settled():
 
 def show_from_top(shown):
     """Scroll the panel so that a widget is at its top."""
-    area = shown.parentWidget()
-    while area is not None and not isinstance(area, QtGui.QScrollArea):
-        area = area.parentWidget()
-    if area is not None:
-        bar = area.verticalScrollBar()
-        bar.setValue(bar.value() + shown.mapTo(area, QtCore.QPoint(0, 0)).y() - 8)
+    for area in main_window().findChildren(QtGui.QScrollArea):
+        if area.isAncestorOf(shown):
+            bar = area.verticalScrollBar()
+            bar.setValue(bar.value() + shown.mapTo(area, QtCore.QPoint(0, 0)).y() - 8)
     pump(0.2)
 
 

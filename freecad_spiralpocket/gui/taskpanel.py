@@ -24,6 +24,7 @@ from ..op.compat import parent_job
 from . import messages
 from .compat import PathOpGui, PathSelection
 from .names import forget_namesakes, rename_attributes, renamed
+from .room import make_room
 
 translate = FreeCAD.Qt.translate
 
@@ -57,6 +58,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.is_open = True
         FreeCAD.addDocumentObserver(self)
         self.operation_page.form.destroyed.connect(self._lose_widgets)
+        QtCore.QTimer.singleShot(0, self._make_room)
 
     def accept(self, resetEdit: bool = True) -> Any:  # noqa: N803
         """Take the values over and close, if there is a path or the user knows there is none."""
@@ -126,6 +128,10 @@ class TaskPanel(PathOpGui.TaskPanel):
             QtCore.QTimer.singleShot(0, self.abandon)
 
     slotRedoDocument = slotUndoDocument  # noqa: N815 - the name FreeCAD calls
+
+    def _make_room(self) -> None:
+        if self.is_open:
+            make_room(self.operation_page.form)
 
     def _lose_widgets(self, *_: Any) -> None:
         """Close, as the widgets are gone, if nobody has told us to."""

@@ -19,7 +19,7 @@ import threading
 import time
 import traceback
 
-PATIENCE = 10  # lower priority by so much, where the system knows that
+PATIENCE = 5  # lower priority by so much, where the system knows that
 UPDATE_EVERY = 0.05  # s, at most this often progress within a stage is told
 
 

@@ -11,6 +11,7 @@ from PySide import QtGui
 from window import (
     APPLY,
     CANCEL,
+    main_window,
     panel,
     press,
     press_toolbar_button,
@@ -248,6 +249,16 @@ def test_boxes_are_no_wider_than_the_page(operation):
     wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
     widest = panel().operation_page.form.minimumSizeHint().width()
     assert all(box.minimumSizeHint().width() <= widest for box in panel().form[1:])
+
+
+def test_dock_is_as_wide_as_the_panel(operation):
+    (area,) = (
+        a
+        for dock in main_window().findChildren(QtGui.QDockWidget)
+        for a in dock.findChildren(QtGui.QScrollArea)
+        if a.isAncestorOf(panel().operation_page.form) and a.widget().isAncestorOf(panel().form[0])
+    )
+    assert area.widget().width() <= area.viewport().width()
 
 
 def test_tool_controller_and_coolant_are_written(operation):
