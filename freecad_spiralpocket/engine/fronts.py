@@ -110,7 +110,7 @@ def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
     if len(taken):
         free = taken[~shapely.dwithin(omega.boundary, taken, 0.02)]
         if len(free):
-            return shapely.union_all([opened, *free])
+            return _welded([opened, *free])
     return opened
 
 
@@ -175,7 +175,7 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         loop = 0.25 * rules.cutter_radius
         moved = buffer(buffer(shapely.make_valid(moved), -loop), loop)
         moved = shapely.union(moved, buffer(visited, least))
-    closed = _closed(moved, visited, omega, rules, CLOSINGS)
+    closed = _without_cusps(_closed(moved, visited, omega, rules, CLOSINGS), moved, rules)
     grown = _filleted(shapely.intersection(closed, omega), rules.fillet, omega)
     front = shapely.simplify(largest(shapely.union(grown, visited)), 0.002)
     # a tiny hole beside the rim may come to lie outside
@@ -233,6 +233,31 @@ def _closed(
         finer = _closed(near, visited, omega, rules, shares[1:])
         pieces.append(shapely.intersection(finer, zone))
     return shapely.union_all(pieces)
+
+
+def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
+    """Round the cusps of what was filled, which arise where a closing just fits through a channel.
+
+    Tips of the moved front itself stay.
+    """
+    rings = [ring for p in polygons_of(closed) for ring in (p.exterior, *p.interiors)]
+    coords, of = shapely.get_coordinates(rings, return_index=True)
+    steps, same = np.diff(coords, axis=0), of[1:] == of[:-1]
+    turns = np.arctan2(
+        steps[:-1, 0] * steps[1:, 1] - steps[:-1, 1] * steps[1:, 0],
+        (steps[:-1] * steps[1:]).sum(axis=1),
+    )
+    # the visited region is on the left
+    sharp = coords[1:-1][(turns > CUSP_TURN) & same[1:] & same[:-1]]
+    if shapely.dwithin(moved, shapely.points(sharp), NEW).all():
+        return closed
+    radius = CUSP * rules.cutter_radius
+    return _welded([buffer(buffer(closed, -radius), radius), moved])
+
+
+def _welded(shapes: Sequence[Region]) -> Region:
+    """Return the union, without the cracks that stay where edges are nearly the same."""
+    return buffer(buffer(shapely.union_all(shapes), CRACK), -CRACK)
 
 
 def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRules) -> bool:
@@ -310,6 +335,10 @@ WIDEST = 1.15
 REACHED = 0.92
 #: Radii tried to round a reentrant kink, over `FrontRules.closing`.
 CLOSINGS = (1.0, 0.5, 0.2)
+#: A fill's cusp turns by more than this [rad], and is rounded with this radius, over R.
+CUSP_TURN, CUSP = np.radians(25.0), 0.35
+#: Cracks where shapes are joined are narrower than twice this [mm].
+CRACK = 0.01
 #: Distance of the points of a fill by which its new edges are counted [mm].
 EDGE = 0.5
 #: A hole holds no stock that is wide enough for less than the cutter by this, half its width [mm].
@@ -325,7 +354,7 @@ RIBS = 0.1
 #: The front is new where it is farther than this from the region before [mm].
 NEW = 0.012
 #: An opening may take so much of a free tip, over the fillet.
-TIP_HEIGHT = 0.05
+TIP_HEIGHT = 0.01
 #: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
 #: fillet's: a corner of 30 degrees just holds that.
 ROOM = 0.6

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import HealthCheck, Phase, given, settings
 from shapely import LineString, Point, Polygon, box
 from shapely.affinity import rotate, translate
@@ -18,7 +19,7 @@ from shapes import request as make_request
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.findings import TOUCH
-from freecad_spiralpocket.engine.fronts import FrontRules, engagement_step
+from freecad_spiralpocket.engine.fronts import FrontRules, advance, engagement_step
 from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.region import center_regions
@@ -209,3 +210,19 @@ def test_cutter_goes_down_near_the_start_point(mode, asked):
     # two radii off both walls, and the radius of the helix on
     assert math.hypot(*(first[:2] - asked)) < 2 * result.request.tool_diameter
     assert result.report.uncut_area < 0.01
+
+
+@pytest.mark.parametrize("width", [45.9, 46.0, 46.1, 52.0])
+def test_a_front_that_closes_a_channel_has_no_cusp(width):
+    # two discs and what joins them: the fronts between come nearer and nearer to each other
+    radius, stepover = 3.0, 2.4
+    rules = FrontRules(radius, math.acos(1 - stepover / radius), 1.33 * radius, 1.75 * stepover)
+    discs = [Point(x, 0).buffer(20, quad_segs=64) for x in (0, width)]
+    visited = orient(shapely.union_all([*discs, box(0, -18, width, -8)]))
+    front = advance(visited, box(-60, -60, 120, 60), rules)
+    for ring in (front.exterior, *front.interiors):
+        points = np.array(ring.coords)[:-1]
+        steps = np.diff(np.vstack([points[-1:], points, points[:1]]), axis=0)
+        headings = np.arctan2(*steps.T[::-1])
+        turns = (np.diff(headings) + math.pi) % (2 * math.pi) - math.pi
+        assert np.abs(turns).max() < math.radians(20)
