@@ -39,6 +39,9 @@ DISTANCE = 7.5
 #: The paper's second pocket takes 17 isotherms, and laps of its take four times as long as those
 #: of a pocket as small as ours: it must be about so many times as large.
 SCALES = {"big": 1.0, "hug": 3.0}
+#: Raw contours of a pocket a third as large, its 17 laps a third as far apart, are as rough as the
+#: paper's; then its laps take a quarter of the time.
+ROUGH, ROUGH_SCALE, ROUGH_DISTANCE = "hug", 1.0, 2.5
 MACHINE = machines.load("ucp710")
 #: Distance of the points of refitted paths [mm]: the paper has 360 on turns of about 700 mm.
 SPACING = 2.0
@@ -63,16 +66,16 @@ def no_tick(done: float) -> None:
     """Never cancel."""
 
 
-def family(name: str) -> tuple[Family, Polygon]:
-    """Return the raw isotherms of a pocket, and its cutter-center region."""
-    shape = scale(pocket(name), SCALES[name], SCALES[name], origin=(0, 0))
+def family(name: str, size: float, distance: float = DISTANCE) -> tuple[Family, Polygon]:
+    """Return the raw isotherms of a pocket of a size, and its cutter-center region."""
+    shape = scale(pocket(name), size, size, origin=(0, 0))
     region = center_regions(shape, DIAMETER / 2, 0.0)[0]
     request = PocketRequest(
         shape,
         DIAMETER,
         Heights(8, 3, 0, -5, 5),
         Feeds(FEED, 10, 500, 500),
-        Cutting(DISTANCE, finishing_lap=False),
+        Cutting(distance, finishing_lap=False),
     )
     return family_of(region, request, 3.0, 0.0), region
 
@@ -218,13 +221,17 @@ def compare(name: str, found: Family, region: Polygon) -> dict:
 def figures() -> dict:
     """Print the tables next to ours and return the figures."""
     results = {}
-    for name in SCALES:
-        found, region = family(name)
+    for name, size in SCALES.items():
+        found, region = family(name, size)
         plate = PlateContours(found.region)
         print(f"{name}, linear elements on {plate.count} nodes:")
         results[name] = compare(name, replace(found, contours=plate), region)
         print(f"{name}, our grid of {found.field.inside.sum()} nodes:")
         results[name]["own"] = compare(name, found, region)
+    found, region = family(ROUGH, ROUGH_SCALE, ROUGH_DISTANCE)
+    print(f"{ROUGH} of size {ROUGH_SCALE}, laps {ROUGH_DISTANCE} mm apart, linear elements:")
+    rough = replace(found, contours=PlateContours(found.region))
+    results[ROUGH]["rough"] = compare(ROUGH, rough, region)
     results["shown"] = shown(results)
     print(results["shown"])
     return results

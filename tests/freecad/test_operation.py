@@ -110,13 +110,14 @@ def test_results_hold_what_was_measured(op):
     assert op.CycleTime == parent_job(op).CycleTime == f"00:{minutes:02d}:{seconds:02d}"
 
 
-def test_the_exact_curve_is_attached_and_exports_to_step(op, tmp_path):
+@pytest.mark.parametrize("suffix", ["step", "iges"])
+def test_the_exact_curve_is_attached_and_can_be_exported(op, tmp_path, suffix):
     (edge,), ((curve,),) = op.SpiralCurve.Edges, [p.curves for p in op.Proxy.plans]
     assert edge.Curve.TypeId == "Part::GeomBSplineCurve"
     assert edge.Curve.Degree == curve.degree
     assert [v.Z for v in edge.Vertexes] == pytest.approx([-DEPTH, -DEPTH])
-    path = str(tmp_path / "spiral.step")
-    op.SpiralCurve.exportStep(path)
+    path = str(tmp_path / f"spiral.{suffix}")
+    getattr(op.SpiralCurve, f"export{suffix.title()}")(path)
     (read,) = Part.read(path).Edges
     poles = zip(read.Curve.getPoles(), curve.control_points, strict=True)
     assert max(abs(p.x - x) + abs(p.y - y) for p, (x, y) in poles) < SAVED
