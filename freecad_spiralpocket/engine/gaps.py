@@ -17,6 +17,8 @@ from .model import Floats
 
 #: Narrower gaps are rounding [rad].
 NARROWEST = 1e-9
+#: What stands in narrower gaps breaks off as dust [rad].
+DUST = np.radians(1.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,10 +46,14 @@ class Gaps:
         return np.bincount(self.rims, wide, minlength=n).astype(float)
 
     def foremost(self, n: int) -> Floats:
-        """Return the largest cosine of rim angles in the gaps of each of `n` rims; 0 for none."""
-        nearest = np.maximum(np.maximum(self.begins, -self.ends), 0.0)
+        """Return the largest cosine of rim angles in the gaps of each of `n` rims; 0 for none.
+
+        Gaps narrower than `DUST` do not count.
+        """
+        wide = self.ends - self.begins > DUST
+        nearest = np.maximum(np.maximum(self.begins, -self.ends), 0.0)[wide]
         found = np.zeros(n)
-        np.maximum.at(found, self.rims, np.cos(nearest))
+        np.maximum.at(found, self.rims[wide], np.cos(nearest))
         return found
 
     def contain(self, n: int, angle: float) -> NDArray[np.bool_]:

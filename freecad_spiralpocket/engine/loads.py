@@ -17,7 +17,7 @@ from .engagement import Engagement
 from .findings import over_limit
 from .model import Floats, PocketRequest
 from .swept import SAME_HEIGHT, Pieces
-from .toolpath import Kind, Toolpath
+from .toolpath import Kind, Role, Toolpath
 
 #: A height is a floor if the level motion there is at least this share of the longest.
 FLOOR_SHARE = 0.5
@@ -38,7 +38,7 @@ class Load:
     over_share : float
         Share of the length there that clearly passes the limit.
     chip_p99 : float
-        Chip load there over that of a straight cut at the step-over and feed.
+        Chip load of the cuts there over that of a straight cut at the step-over and feed.
     bite : float
         Height straight ahead on the way down, not passed over 99 % of its length [mm].
     """
@@ -71,6 +71,7 @@ def measure_load(
     at_floor = fed & _near_any(engagement.points[:, 2], floors(pieces, known))
     judged = at_floor & _past_entry(engagement, at_floor, request.cutter_radius)
     angles, lengths, limit = engagement.angles, engagement.lengths, request.engagement_limit
+    cuts = np.isin(toolpath.roles[engagement.moves], (Role.CUT, Role.FINISH))
     chips = chip_loads(toolpath, engagement, request.feeds.horizontal, limit)
     total = float(lengths[judged].sum())
     over = float(lengths[judged & (angles > over_limit(limit))].sum())
@@ -82,7 +83,7 @@ def measure_load(
         mean=float((angles * lengths)[judged].sum()) / total if total > 0 else 0.0,
         place=(float(x), float(y)) if total > 0 else None,
         over_share=over / total if total > 0 else 0.0,
-        chip_p99=_p99(chips, lengths, judged),
+        chip_p99=_p99(chips, lengths, judged & cuts),
         bite=_p99(engagement.bites, lengths, fed & ~at_floor),
     )
 

@@ -104,6 +104,15 @@ def test_chip_of_a_rib_is_that_of_its_far_side():
     assert engagement.chips[middle] == pytest.approx(math.sin(far))
 
 
+def test_dust_makes_no_chip():
+    # 0.002 mm stand ahead of the second pass, between it and the slot beside
+    path = lines(started(), (60.0, 0.0), (60.0, 6.002), (0.0, 6.002), (0.0, 3.001), (60.0, 3.001))
+    engagement = measured(path)
+    middle = (engagement.moves == last_move(path)) & (abs(engagement.points[:, 0] - 30) < 15)
+    assert 0 < engagement.angles[middle].max() < math.radians(1.0)
+    assert engagement.chips[middle].max() == 0
+
+
 def test_circle_inside_a_cleared_ring_follows_the_cosine_rule():
     radius, step = 12.0, 2.0
     builder = started(radius + step)
