@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from .model import Floats
@@ -158,11 +159,7 @@ def link_times(paths: Floats, motion: Motion) -> Floats:
     paths : ndarray of shape (..., n, 2)
         [mm]
     """
-    d = np.diff(paths, axis=-2)
-    length = np.hypot(d[..., 0], d[..., 1]) + 1e-9
-    cross = d[..., :-1, 0] * d[..., 1:, 1] - d[..., :-1, 1] * d[..., 1:, 0]
-    dot = (d[..., :-1, :] * d[..., 1:, :]).sum(axis=-1)
-    bend = np.abs(np.arctan2(cross, dot)) / (0.5 * (length[..., :-1] + length[..., 1:]))
+    length, bend = _bends(paths)
     a = motion.acceleration
     inner = np.minimum(a / (bend + 1e-9), motion.link_feed**2)
     ends = np.full((*inner.shape[:-1], 1), motion.cut_feed**2)
@@ -181,5 +178,24 @@ def link_times(paths: Floats, motion: Motion) -> Floats:
     lost = ((motion.cut_feed - v[..., 0]) ** 2 + (motion.cut_feed - v[..., -1]) ** 2) / (
         2 * a * motion.cut_feed
     )
-    nervous = bend.max(axis=-1) * motion.least_radius > 1
+    nervous = _are_tight(bend, motion)
     return (time + lost) * np.where(nervous, NERVOUS, 1.0)
+
+
+def are_nervous(paths: Floats, motion: Motion) -> NDArray[np.bool_]:
+    """Return which paths have a bend tighter than the least radius."""
+    return _are_tight(_bends(paths)[1], motion)
+
+
+def _are_tight(bend: Floats, motion: Motion) -> NDArray[np.bool_]:
+    return np.asarray(bend.max(axis=-1) * motion.least_radius > 1)
+
+
+def _bends(paths: Floats) -> tuple[Floats, Floats]:
+    """Return the lengths of chords [mm], and the curvature at the points between [1/mm]."""
+    d = np.diff(paths, axis=-2)
+    length = np.hypot(d[..., 0], d[..., 1]) + 1e-9
+    cross = d[..., :-1, 0] * d[..., 1:, 1] - d[..., :-1, 1] * d[..., 1:, 0]
+    dot = (d[..., :-1, :] * d[..., 1:, :]).sum(axis=-1)
+    bend = np.abs(np.arctan2(cross, dot)) / (0.5 * (length[..., :-1] + length[..., 1:]))
+    return length, bend

@@ -18,7 +18,7 @@ from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
 from .fronts import Region, buffer
-from .linking import Motion, fine_link, hermite_links, link_times
+from .linking import Motion, are_nervous, fine_link, hermite_links, link_times
 from .model import Floats
 from .polyline import points_at
 from .routing import route
@@ -321,6 +321,11 @@ def _next(
     """Return the fastest admissible link and the way that it leads to, `ready` nearest first."""
     if np.hypot(*(starts[ready[0]] - start)) < TOUCHES:
         return np.empty((0, 2)), ready[0]
+
+    def around(i: int) -> Floats | None:
+        end, arriving = starts[i], headings[i]
+        return route(start, heading, end, arriving, cleared, fence, radius, motion.least_radius)
+
     for first in range(0, len(ready), TRIED):
         tried = ready[first : first + TRIED]
         paths = hermite_links(start, heading, starts[tried], headings[tried], radius)
@@ -332,9 +337,15 @@ def _next(
             which = int(handles[flat])
             fine = fine_link(start, heading, starts[i], headings[i], radius, which, FINE)
             if cleared.are_free(fine) and fence.covers(LineString(fine)):
-                return fine, i
+                if not are_nervous(fine, motion):
+                    return fine, i
+                # a long way round may take less than that stop
+                found = around(i)
+                if found is None or link_times(found, motion) > link_times(fine, motion):
+                    return fine, i
+                return found, i
     for i in ready[:ROUTED]:
-        found = route(start, heading, starts[i], headings[i], cleared, fence, radius)
+        found = around(i)
         if found is not None:
             return found, i
     return None, ready[0]

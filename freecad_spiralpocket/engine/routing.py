@@ -28,6 +28,8 @@ CHORD = 0.12
 NEAR = 3
 #: Distances of control points tried, over R.
 SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5)
+#: How far the loops go that turn round, over R.
+TURNS = (0.5, 1.0)
 #: A step along the edge of free ground counts as longer by this share; farther from it by that
 #: over the number of cells, up to so many.
 EDGE_TOLL, OFF = 0.5, 6
@@ -47,27 +49,64 @@ def route(
     cleared: ClearedMap,
     fence: Polygon,
     radius: float,
+    least_radius: float = 0.0,
 ) -> Floats | None:
-    """Return a smooth way through free ground, shape (n, 2) [mm]; None if there is none."""
+    """Return a smooth way through free ground, shape (n, 2) [mm]; None if there is none.
+
+    Where it would bend more tightly than `least_radius` [mm], because it leads back from where the
+    cutter comes or goes, it turns round in a loop if there is room for one.
+    """
     way = shortest_way(start, end, cleared)
     if way is None:
         return None
     line = LineString(way)
-    for share in SPACINGS:
+
+    def curve(share: float, leaving: Floats, reaching: Floats) -> Floats | None:
         count = max(2, int(np.ceil(line.length / (share * radius))))
         middle = shapely.get_coordinates(
             shapely.line_interpolate_point(
                 line, np.linspace(0, 1, count + 1)[1:-1], normalized=True
             )
         )
-        handle = min(share * radius, line.length / 3)
-        controls = np.vstack(
-            [start, start + handle * heading / 2, middle, end - handle * arriving / 2, end]
-        )
-        curve = clamped_spline(controls, max(97, int(line.length / CHORD)))
-        if cleared.are_free(curve) and fence.covers(LineString(curve)):
-            return curve
-    return None
+        controls = np.vstack([start, start + leaving, middle, end - reaching[::-1], end])
+        points = clamped_spline(controls, max(97, int(line.length / CHORD)))
+        is_free = cleared.are_free(points) and fence.covers(LineString(points))
+        return points if is_free else None
+
+    found = None
+    for share in SPACINGS:
+        handle = min(share * radius, line.length / 3) / 2
+        found = curve(share, handle * heading[None], handle * arriving[None])
+        if found is not None:
+            break
+    if found is None or tightest_bend(found) >= least_radius:
+        return found
+    for share in SPACINGS:
+        turns = [
+            curve(share, leaving, reaching)
+            for leaving in _turns(heading, radius)
+            for reaching in _turns(arriving, radius)
+        ]
+        smooth = [c for c in turns if c is not None and tightest_bend(c) >= least_radius]
+        if smooth:
+            return min(smooth, key=lambda points: LineString(points).length)
+    return found
+
+
+def _turns(heading: Floats, radius: float) -> list[Floats]:
+    """Return the first control points after a place, straight on and round to both sides [mm]."""
+    aside = np.array([-heading[1], heading[0]])
+    wide = [np.vstack([w * heading, w * (heading + s * aside)]) for w in TURNS for s in (1, -1)]
+    return [radius * turn for turn in [0.5 * heading[None], *wide]]
+
+
+def tightest_bend(points: Floats) -> float:
+    """Return the least radius of the circles through three points in a row [mm]."""
+    a, b, c = points[:-2], points[1:-1], points[2:]
+    ab, bc, ac = b - a, c - b, c - a
+    area = np.abs(ab[:, 0] * bc[:, 1] - ab[:, 1] * bc[:, 0])
+    sides = np.hypot(*ab.T) * np.hypot(*bc.T) * np.hypot(*ac.T)
+    return float((sides / (2 * area + 1e-12)).min())
 
 
 def clamped_spline(controls: Floats, count: int) -> Floats:

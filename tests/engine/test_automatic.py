@@ -17,12 +17,14 @@ from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TRIANGLE, convex_poc
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.cleared import ClearedMap
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.findings import TOUCH
 from freecad_spiralpocket.engine.fronts import FrontRules, advance, engagement_step
 from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.region import center_regions
+from freecad_spiralpocket.engine.routing import route, tightest_bend
 from freecad_spiralpocket.engine.sizes import resized, resized_path, resized_request
 from freecad_spiralpocket.engine.starts import slot_bite
 from freecad_spiralpocket.engine.toolpath import Role
@@ -226,3 +228,18 @@ def test_a_front_that_closes_a_channel_has_no_cusp(width):
         headings = np.arctan2(*steps.T[::-1])
         turns = (np.diff(headings) + math.pi) % (2 * math.pi) - math.pi
         assert np.abs(turns).max() < math.radians(20)
+
+
+@pytest.mark.parametrize("arriving", [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)])
+@pytest.mark.parametrize("end", [(10.0, 20.0), (10.0, 26.0), (34.0, 20.0)])
+def test_long_way_round_turns_in_a_loop_where_there_is_room(end, arriving):
+    room, radius, least = box(0, 0, 60, 40), 3.0, 0.36
+    cleared = ClearedMap([room], [], room, [], radius, 0.25)
+    start, heading = np.array([30.0, 20.0]), np.array([1.0, 0.0])
+    ends = np.array(end), np.array(arriving)
+    way = route(start, heading, *ends, cleared, room.buffer(0.003), radius, least)
+    assert way is not None and tightest_bend(way) >= least
+    np.testing.assert_allclose([way[0], way[-1]], [start, end], atol=1e-9)
+    leaving, reaching = way[1] - way[0], way[-1] - way[-2]
+    assert leaving @ heading > 0.9 * np.hypot(*leaving)
+    assert reaching @ arriving > 0.9 * np.hypot(*reaching)
