@@ -86,7 +86,7 @@ def add_job(document, solid, diameter, feed=1500.0):
     view = FreeCADGui.getDocument(document.Name).ActiveView
     view.viewIsometric()
     view.fitAll()
-    pump(0.3)
+    pump()
     return job
 
 

@@ -7,7 +7,6 @@ import zipfile
 import FreeCAD
 import FreeCADGui
 import pytest
-from pivy import coin
 from PySide import QtCore, QtGui
 from snapshot import differences, snapshot
 from window import (
@@ -304,21 +303,3 @@ def test_copy_is_cut_like_the_original(doc, job, operation):
     press(OK)
     assert (operation.StepOver, copy.StepOver) == (30, 20)
     assert copy.Path.toGCode() != operation.Path.toGCode()
-
-
-def test_fifty_openings_leave_no_scene_nodes_behind(doc, operation):
-    def nodes():
-        search = coin.SoSearchAction()
-        search.setType(coin.SoNode.getClassTypeId())
-        search.setInterest(coin.SoSearchAction.ALL)
-        search.setSearchingAll(True)
-        search.apply(FreeCADGui.getDocument(doc.Name).ActiveView.getSceneGraph())
-        return search.getPaths().getLength()
-
-    edit(operation)
-    press(CANCEL)
-    before = nodes()
-    for _ in range(50):
-        edit(operation)
-        press(CANCEL)
-    assert nodes() == before

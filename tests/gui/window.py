@@ -26,6 +26,10 @@ OK, APPLY, CANCEL = (
 )
 
 
+#: How long the window works for what a press of a button brings [s].
+AFTER_PRESS = 0.1
+
+
 def pump(seconds=0.05):
     """Let the window work for `seconds`."""
     loop = QtCore.QEventLoop()
@@ -77,7 +81,7 @@ def press_toolbar_button():
     button = toolbar().widgetForAction(action(toolbar()))
     assert button.isEnabled()
     button.click()
-    pump(0.3)
+    pump(AFTER_PRESS)
 
 
 def is_panel_open():
@@ -118,13 +122,13 @@ def panel_button(which):
 def press(which):
     """Press the panel's button OK, APPLY or CANCEL and wait for what comes of it."""
     panel_button(which).click()
-    pump(0.3)
+    pump(AFTER_PRESS)
 
 
 def edit(obj):
     """Open the panel of an operation as a double click in the tree does."""
     FreeCADGui.getDocument(obj.Document.Name).setEdit(obj.ViewObject, 0)
-    pump(0.3)
+    pump(AFTER_PRESS)
 
 
 def dialog(name):
