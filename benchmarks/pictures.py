@@ -145,10 +145,11 @@ def is_settled():
 
 def show_from_top(shown):
     """Scroll the panel so that a widget is at its top."""
-    for area in main_window().findChildren(QtGui.QScrollArea):
-        if area.isAncestorOf(shown):
-            bar = area.verticalScrollBar()
-            bar.setValue(bar.value() + shown.mapTo(area, QtCore.QPoint(0, 0)).y() - 8)
+    areas = [a for a in main_window().findChildren(QtGui.QScrollArea) if a.isAncestorOf(shown)]
+    if areas:
+        innermost = min(areas, key=lambda a: a.height())
+        bar = innermost.verticalScrollBar()
+        bar.setValue(bar.value() + shown.mapTo(innermost, QtCore.QPoint(0, 0)).y() - 8)
     pump(0.2)
 
 

@@ -38,7 +38,7 @@ class ResultBox:
         self._state = QtGui.QLabel()
         self._state.setWordWrap(True)
         self.figures = QtGui.QGridLayout()
-        self.figures.setColumnStretch(1, 1)
+        self.figures.setColumnStretch(0, 1)
         self.list = QtGui.QListWidget()
         self.list.setWordWrap(True)
         self.list.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
