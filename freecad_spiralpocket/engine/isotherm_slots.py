@@ -23,7 +23,7 @@ from .floor import Helix, Slot
 from .isotherms import Family, Room, distances, isotherms, points_of
 from .model import Floats
 from .nested import Lap
-from .region import grow, polygons_of
+from .region import grow, polygons_of, widest_disc
 from .starts import slot_bite
 
 #: A core is opened by a slot where a helix would need more laps than this times its levels.
@@ -169,6 +169,9 @@ def _slot_about(family: Family, room: Room, piece: Polygon) -> Polygon | None:
     around = shapely.box(*piece.buffer(2 * family.stepover).bounds)
     beside = shapely.intersection(room.region, around)
     piece = shapely.simplify(piece, THIN_SLACK / 2)
+    # a region that covers the piece has its widest disc inside, and a region that is thin has none
+    if widest_disc(piece, DEEPER)[1] > radius:
+        return None
     for share, rounding in product(OVERLAPS, ROUNDINGS):
         wide = shapely.intersection(beside, grow(piece, share * family.stepover))
         round_ = rounding * radius
