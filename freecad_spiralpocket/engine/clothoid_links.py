@@ -129,7 +129,7 @@ def clothoid_way(
         out = _lead(start, lead, radius)
         back = _lead(_backwards(end), lead, radius, -1.0)
         (p, u), (q, v) = _tip(out), _tip(back)
-        way = shortest_way(p, q, cleared)
+        way = shortest_way(p, q, cleared, cleared.near)
         if way is None:
             continue
         for slack, i, j in product(WAY_SLACKS, WAY_REACHES, WAY_REACHES):

@@ -27,7 +27,7 @@ CHORD = 0.12
 #: A way begins and ends in an open cell no more than so many cells away.
 NEAR = 3
 #: Distances of control points tried, over R.
-SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5)
+SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5, 0.3)
 #: How far the loops go that turn round, over R.
 TURNS = (0.5, 1.0)
 #: A step along the edge of free ground counts as longer by this share; farther from it by that
@@ -56,9 +56,32 @@ def route(
     Where it would bend more tightly than `least_radius` [mm], because it leads back from where the
     cutter comes or goes, it turns round in a loop if there is room for one.
     """
-    way = shortest_way(start, end, cleared)
-    if way is None:
-        return None
+    # a way along the very edge is hard to follow smoothly
+    closed = ~cleared.free
+    for _ in range(COARSE):
+        closed = dilated(closed)
+    for ground in (~closed, cleared.free, cleared.near):
+        way = shortest_way(start, end, cleared, ground)
+        if way is None:
+            continue
+        found = _along(way, start, heading, end, arriving, cleared, fence, radius, least_radius)
+        if found is not None:
+            return found
+    return None
+
+
+def _along(
+    way: Floats,
+    start: Floats,
+    heading: Floats,
+    end: Floats,
+    arriving: Floats,
+    cleared: ClearedMap,
+    fence: Polygon,
+    radius: float,
+    least_radius: float,
+) -> Floats | None:
+    """Return a free curve near a way over the grid, tangent at both ends; None if none is free."""
     line = LineString(way)
 
     def curve(share: float, leaving: Floats, reaching: Floats) -> Floats | None:
@@ -125,9 +148,10 @@ def clamped_spline(controls: Floats, count: int) -> Floats:
     return points[:, 0]
 
 
-def shortest_way(start: Floats, end: Floats, cleared: ClearedMap) -> Floats | None:
-    """Return the shortest way over the coarse grid, its ends replaced by the exact ones."""
-    free = cleared.near
+def shortest_way(
+    start: Floats, end: Floats, cleared: ClearedMap, free: NDArray[np.bool_]
+) -> Floats | None:
+    """Return the shortest way over the coarse grid of free pixels, between the exact ends."""
     rows, columns = (n // COARSE for n in free.shape)
     blocks = free[: rows * COARSE, : columns * COARSE].reshape(rows, COARSE, columns, COARSE)
     # closed all around, so that no step leads over the edge

@@ -27,6 +27,7 @@ from freecad_spiralpocket.engine.region import center_regions
 from freecad_spiralpocket.engine.routing import route, tightest_bend
 from freecad_spiralpocket.engine.sizes import resized, resized_path, resized_request
 from freecad_spiralpocket.engine.starts import slot_bite
+from freecad_spiralpocket.engine.strokes import Stroke
 from freecad_spiralpocket.engine.toolpath import Role
 
 ISLANDS = (
@@ -243,3 +244,20 @@ def test_long_way_round_turns_in_a_loop_where_there_is_room(end, arriving):
     leaving, reaching = way[1] - way[0], way[-1] - way[-2]
     assert leaving @ heading > 0.9 * np.hypot(*leaving)
     assert reaching @ arriving > 0.9 * np.hypot(*reaching)
+
+
+@pytest.mark.parametrize("off", [0.0, 0.3, 0.6])
+@pytest.mark.parametrize("half", [1.0, 4.0])
+@pytest.mark.parametrize("gap", [0.3, 3.0])
+def test_a_way_round_the_tip_of_what_stands_is_found(off, half, gap):
+    room = orient(box(0, 0, 60, 40))
+    wedge = Polygon([(-1, 20 - half + off), (30 + off, 20 + off), (-1, 20 + half + off)])
+    points = np.column_stack([np.linspace(0, 30, 61), np.full(61, 20 + off)])
+    before = orient(room.difference(wedge))
+    cleared = ClearedMap([before, room], [Stroke(points, 1, False, False)], room, [], 6.0, 0.25)
+    x, aside = 10.0, half * (20 + off) / (31 + off) + gap
+    start, end = np.array([x, 20 + off + aside]), np.array([x, 20 + off - aside])
+    heading = np.array([1.0, 0.0])
+    way = route(start, heading, end, -heading, cleared, room.buffer(0.003), 3.0, 0.36)
+    assert way is not None
+    assert not LineString(way).intersects(wedge.buffer(-0.25))
