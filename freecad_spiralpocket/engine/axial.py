@@ -21,9 +21,6 @@ from .swept import SAME_HEIGHT, Pieces
 
 #: Heights of ramps are rounded to this share of the axial depth.
 HEIGHT_STEP = 1 / 32
-#: A piece that rises by more than this is one of a ramp [mm], however short it is: a ramp along a
-#: bent line has hundreds, each at a height of its own.
-LEVEL = 1e-6
 
 
 def standing_share(
@@ -89,7 +86,7 @@ def _higher_pairs(
     Level by level, because what lies above the ceiling is most of a deep pocket.
     """
     z = samples.points[:, 2]
-    step = np.where(_on_ramps(pieces)[samples.pieces], np.ptp(z) / 16 + SAME_HEIGHT, SAME_HEIGHT)
+    step = np.where(pieces.is_level[samples.pieces], SAME_HEIGHT, np.ptp(z) / 16 + SAME_HEIGHT)
     group = np.round(z / step) * step
     found = [(np.zeros(0, np.int64), np.zeros(0, np.int64))]
     for height in np.unique(group[asking]):
@@ -107,11 +104,6 @@ def _higher_pairs(
 
 def _stepped_heights(pieces: Pieces, top: float, step: float) -> Floats:
     """Return the heights of pieces, those of ramps in the middle and rounded; inf for rapids."""
-    grain = np.where(_on_ramps(pieces), step, SAME_HEIGHT)
+    grain = np.where(pieces.is_level, SAME_HEIGHT, step)
     middle = np.where(pieces.lengths > 0, pieces.bottoms.mean(axis=1), pieces.heights) - top
     return np.where(pieces.rapid, np.inf, top + np.round(middle / grain) * grain)
-
-
-def _on_ramps(pieces: Pieces) -> NDArray[np.bool_]:
-    """Return which pieces rise or fall, shape (n,)."""
-    return np.abs(pieces.bottoms[:, 1] - pieces.bottoms[:, 0]) > LEVEL

@@ -20,7 +20,8 @@ from .toolpath import Kind, Toolpath
 
 #: Heights closer than this are one height [mm]: posts round to 3 decimals.
 SAME_HEIGHT = 2e-3
-#: A piece that falls less is level [mm]; short chords of a ramp fall by less than a post rounds.
+#: A piece that rises or falls by less is level [mm], however short: a ramp along a bent line has
+#: hundreds, which must not pass for as many levels.
 LEVEL = 1e-6
 #: A ramp is cut into bands of this share of a full axial depth.
 RAMP_BAND = 1 / 32
