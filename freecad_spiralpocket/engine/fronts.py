@@ -302,6 +302,8 @@ def _are_beyond(
     shapely.prepare(edge)
     lost = ~shapely.dwithin(visited, points, reach)
     lost &= ~(corner[of] & shapely.dwithin(edge, points, reach))
+    bulge = rules.stepover + BULGE * rules.closing
+    lost |= corner[of] & ~shapely.dwithin(visited, points, bulge)
     beyond = np.zeros(len(fills), dtype=bool)
     beyond[of[lost]] = True
     # the middle of a wide piece may be out of reach though its rim is not
@@ -333,6 +335,9 @@ STRAIGHT = 0.0005
 WIDEST = 1.15
 #: A front goes no farther than this beyond the last, over R: there the cutter reached over.
 REACHED = 0.92
+#: The rounded corner of a plug is no deeper than this over `FrontRules.closing` and the step-over:
+#: the cutter comes to it along a side and would be engaged that much more.
+BULGE = 0.32
 #: Radii tried to round a reentrant kink, over `FrontRules.closing`.
 CLOSINGS = (1.0, 0.5, 0.2)
 #: A fill's cusp turns by more than this [rad], and is rounded with this radius, over R.

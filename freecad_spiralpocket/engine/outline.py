@@ -25,6 +25,8 @@ from .region import polygons_of
 ROUNDING = 0.15
 #: Width of the ground that the slot opens for the cutter's center, over R.
 WIDTH = 0.01
+#: What is thinner than this is no corner [mm].
+HAIRLINE = 2e-4
 #: How far the ground outside of the wall reaches, over R: farther than any fillet or closing.
 MARGIN = 4.0
 
@@ -63,7 +65,9 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
     """
     filled = Polygon(region.exterior)
     rounded = buffer(buffer(filled, -ROUNDING * radius), ROUNDING * radius)
-    parts = polygons_of(shapely.intersection(rounded, filled))
+    # rounding of numbers leaves hairlines along the straight walls, which would join the corners
+    corners = buffer(buffer(shapely.difference(filled, rounded), -HAIRLINE), HAIRLINE)
+    parts = polygons_of(shapely.difference(filled, corners))
     if len(parts) != 1 or parts[0].interiors:
         return None
     within = shapely.intersection(parts[0], region)

@@ -199,8 +199,9 @@ def _steps(
     radius = request.cutter_radius
     mouths = _mouths(start, region, OVERRUN * radius)
     strokes = strokes + [Stroke(m, len(fronts), False, False) for m in mouths]
+    opening = _rest_of_entry(start, strokes)
     if not strokes:
-        return []
+        return opening
     # where a bridge meets an island a cusp stands until that wall is cut
     late = [
         shapely.ops.substring(LineString(m), OVERRUN * radius, -OVERRUN * radius).buffer(
@@ -212,9 +213,29 @@ def _steps(
     reach = radius if start.within is None else 2 * radius
     cleared = ClearedMap(fronts, strokes, region, late, reach, request.tool_diameter / PIXELS)
     runs = runs_of(strokes, fronts, start.ring, radius, request.cutting.stepover)
-    here, ahead = shapely.get_coordinates(start.ring)[:2]
-    heading = (ahead - here) / np.hypot(*(ahead - here))
-    return order(runs, cleared, region, here, heading, motion, radius, tick)
+    if opening:
+        before, here = opening[-1].points[-2:]
+        ahead = here - before
+    else:
+        here, following = shapely.get_coordinates(start.ring)[:2]
+        ahead = following - here
+    heading = ahead / np.hypot(*ahead)
+    return opening + order(runs, cleared, region, here, heading, motion, radius, tick)
+
+
+def _rest_of_entry(start: Start, strokes: list[Stroke]) -> list[Step]:
+    """Return what a groove's ways leave of it, where no first lap goes round the groove anyway.
+
+    Its way forth stands a level above its way back.
+    """
+    entry = start.entry
+    if not isinstance(entry, Groove):
+        return []
+    if any(s.level == 1 and s.closed and s.exterior for s in strokes):
+        return []
+    ring = start.ring
+    end = entry.tips[0] if len(entry.tips) == 1 else ring.length
+    return [Step(np.empty((0, 2)), between(ring, 0.0, end), -1)]
 
 
 def _mouths(start: Start, region: Polygon, overrun: float) -> list[Floats]:
