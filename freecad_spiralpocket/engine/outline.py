@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import shapely
 from shapely import LineString, Polygon
 
-from .fronts import buffer, largest, oriented
+from .fronts import SLIVER, buffer, largest, oriented
 from .region import polygons_of
 
 #: The slot rounds the wall's corners with at least this radius, over R.
@@ -67,7 +67,7 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
     rounded = buffer(buffer(filled, -ROUNDING * radius), ROUNDING * radius)
     # rounding of numbers leaves hairlines along the straight walls, which would join the corners
     corners = buffer(buffer(shapely.difference(filled, rounded), -HAIRLINE), HAIRLINE)
-    parts = polygons_of(shapely.difference(filled, corners))
+    parts = [p for p in polygons_of(shapely.difference(filled, corners)) if p.area > SLIVER]
     if len(parts) != 1 or parts[0].interiors:
         return None
     within = shapely.intersection(parts[0], region)

@@ -53,6 +53,9 @@ GRID = 40
 HOPELESS_LEVELS = 1.8
 #: So few levels are always worth simulating.
 FEW = 14
+#: No corner takes so many levels; what does is a channel hardly wider than the cutter, where strokes
+#: cannot hold the engagement. A start that leaves one is taken if it is faster by this.
+CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
 #: Strokes at the mouths of bridges begin and end so much early and late, over R.
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
@@ -102,16 +105,19 @@ def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
         fronts = grow(start.visited, start.omega, rules, done, most)
         if fronts is None:
             continue
-        fronts += finish_corners(fronts[-1], start.omega, rules)
+        corners = finish_corners(fronts[-1], start.omega, rules)
+        toll = CHANNEL_TOLL if len(corners) > CORNER_LEVELS else 1.0
+        fronts += corners
         if start.within is not None:
             fronts = _with_corners(fronts, start.within, region, rules)
         most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
         strokes = strokes_of(fronts)
         # no links can make up for entry, cuts and turns back that take longer already
-        if _entry_seconds(start, request, motion) + _least_seconds(strokes, motion) > least:
+        at_least = _entry_seconds(start, request, motion) + _least_seconds(strokes, motion)
+        if toll * at_least > least:
             continue
         steps = _steps(start, fronts, strokes, region, request, motion, done)
-        seconds = _seconds(start, steps, request, motion)
+        seconds = toll * _seconds(start, steps, request, motion)
         if seconds < least:
             best, least = (start, steps), seconds
     if best is None:
