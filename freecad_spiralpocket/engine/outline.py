@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import shapely
 from shapely import LineString, Polygon
 
-from .fronts import SLIVER, buffer, largest, oriented
+from .fronts import buffer, largest, oriented
 from .region import polygons_of
 
 #: The slot rounds the wall's corners with at least this radius, over R.
@@ -65,13 +65,13 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
     """
     filled = Polygon(region.exterior)
     rounded = buffer(buffer(filled, -ROUNDING * radius), ROUNDING * radius)
-    # rounding of numbers leaves hairlines along the straight walls, which would join the corners
-    corners = buffer(buffer(shapely.difference(filled, rounded), -HAIRLINE), HAIRLINE)
-    parts = [p for p in polygons_of(shapely.difference(filled, corners)) if p.area > SLIVER]
+    parts = polygons_of(shapely.intersection(rounded, filled))
     if len(parts) != 1 or parts[0].interiors:
         return None
-    within = shapely.intersection(parts[0], region)
-    if not isinstance(within, Polygon) or len(within.interiors) != len(region.interiors):
+    # rounding of numbers leaves hairlines along straight walls, which would join the corners
+    corners = buffer(buffer(shapely.difference(filled, parts[0]), -HAIRLINE), HAIRLINE)
+    within = largest(shapely.difference(region, corners))
+    if len(within.interiors) != len(region.interiors):
         return None
     plugs = polygons_of(buffer(parts[0], -WIDTH * radius))
     around = shapely.box(*region.bounds).buffer(MARGIN * radius, join_style="mitre")

@@ -53,8 +53,8 @@ GRID = 40
 HOPELESS_LEVELS = 1.8
 #: So few levels are always worth simulating.
 FEW = 14
-#: No corner takes so many levels; what does is a channel hardly wider than the cutter, where strokes
-#: cannot hold the engagement. A start that leaves one is taken if it is faster by this.
+#: No corner takes so many levels; what does is a channel hardly wider than the cutter, where
+#: strokes cannot hold the engagement. A start that leaves one is taken if it is faster by this.
 CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
 #: Strokes at the mouths of bridges begin and end so much early and late, over R.
 OVERRUN = 0.5
