@@ -2,10 +2,11 @@
 """Repair of what the proof finds wrong, a few times at most, before a path is refused.
 
 The proof judges the emitted moves and tells which of them run through stock. First
-every link among these becomes a lift over the safe height: that needs no new laps. What
-then still is wrong, a gouge, a rapid or link through stock, ground left standing, lies in
-some room; its path is planned again, with a smaller step-over, then by another
-strategy. Each change is proved as a whole and kept only if it is better.
+every link among these becomes a cut at both ends, if all that it does is to touch the
+edge of the stock, or else a lift over the safe height: neither needs new laps. What then
+still is wrong, a gouge, a rapid or link through stock, ground left standing, lies in some
+room; its path is planned again, with a smaller step-over, then by another strategy. Each
+change is proved as a whole and kept only if it is better.
 
 Repair decides nothing by itself that the proof does not see, and never hides: what is
 left is refused or told by the planner.
@@ -16,8 +17,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import pairwise
 
-from shapely import Point, Polygon
+import shapely
+from shapely import LineString, Point, Polygon
+from shapely.ops import substring
 
 from .findings import TOUCH
 from .floor import FloorPath, Pass
@@ -33,6 +38,9 @@ STEPOVERS = (0.8, 0.64)
 #: Ground left standing is worth another plan from this share of the cutter's disc on; less is
 #: only told.
 WORTH = 0.01
+#: Links that touch stock over no more than this become cuts over so much at both ends, over R:
+#: they begin and end at its very edge.
+LEAD = 0.5
 #: A gouge below the tolerance and this is none [mm].
 GOUGE_SLACK = 0.005
 
@@ -123,29 +131,46 @@ class _Repair:
 
     def __init__(self, request: PocketRequest, plan_again: Planner) -> None:
         self._request, self._plan_again = request, plan_again
-        self._lifted: set[int] = set()
+        self._led: dict[int, Pass] = {}
+        self._lifted: dict[int, Pass] = {}
         self._settings: dict[bytes, list[PocketRequest]] = {}
 
     def mended(self, proved: Proved) -> list[Cut] | None:
         """Return cuts with the next change, None if there is nothing left to try."""
-        lifted = self._with_lifts(proved)
-        if lifted is not None:
-            return lifted
-        return self._planned_again(proved)
+        lead = LEAD * self._request.cutter_radius
+        cuts = None
+        if proved.report.link_hit <= lead:
+            cuts = self._relinked(proved, self._led, partial(with_leads, length=lead))
+        return (
+            cuts or self._relinked(proved, self._lifted, with_lifts) or self._planned_again(proved)
+        )
 
-    def _with_lifts(self, proved: Proved) -> list[Cut] | None:
-        """Return the cuts with lifts instead of links through stock; None without any new."""
+    def _relinked(
+        self,
+        proved: Proved,
+        done: dict[int, Pass],
+        change: Callable[[FloorPath, set[int]], FloorPath],
+    ) -> list[Cut] | None:
+        """Return the cuts with other links where these run through stock; None without any new.
+
+        `done` holds the links that have been changed so, by their identity, and what became of
+        them.
+        """
         found: dict[int, set[int]] = {}
         for number, part in proved.hits:
             path = proved.cuts[number].path
-            if _is_link(path, part) and id(path.passes[part]) not in self._lifted:
+            if _is_link(path, part) and id(path.passes[part]) not in done:
                 found.setdefault(id(path), set()).add(part)
-                self._lifted.add(id(path.passes[part]))
         if not found:
             return None
-        paths = {id(cut.path): cut.path for cut in proved.cuts}
-        lifted = {key: with_lifts(paths[key], parts) for key, parts in found.items()}
-        return [replace(cut, path=lifted.get(id(cut.path), cut.path)) for cut in proved.cuts]
+        changed = {}
+        for path in {
+            id(cut.path): cut.path for cut in proved.cuts if id(cut.path) in found
+        }.values():
+            new = changed[id(path)] = change(path, found[id(path)])
+            parts = [*(path.passes[i] for i in found[id(path)]), *new.passes]
+            done.update({id(p): p for p in parts if isinstance(p, Pass) and p.role is Role.LINK})
+        return [replace(cut, path=changed.get(id(cut.path), cut.path)) for cut in proved.cuts]
 
     def _planned_again(self, proved: Proved) -> list[Cut] | None:
         """Return the cuts with new paths where something is wrong; None without any."""
@@ -160,6 +185,24 @@ class _Repair:
         if not new:
             return None
         return [replace(c, path=new.get(c.room.region.wkb, c.path)) for c in proved.cuts]
+
+
+def with_leads(path: FloorPath, parts: Iterable[int], length: float) -> FloorPath:
+    """Return a path whose given links are cuts over `length` [mm] at both ends."""
+    chosen, passes = set(parts), []
+    for number, part in enumerate(path.passes):
+        if number not in chosen or not isinstance(part, Pass):
+            passes.append(part)
+            continue
+        line = LineString(part.points)
+        if line.length <= 2 * length:
+            passes.append(replace(part, role=Role.CUT))
+            continue
+        bounds = (0.0, length, line.length - length, line.length)
+        roles = (Role.CUT, Role.LINK, Role.CUT)
+        for (begin, end), role in zip(pairwise(bounds), roles, strict=True):
+            passes.append(Pass(shapely.get_coordinates(substring(line, begin, end)), role))
+    return replace(path, passes=tuple(passes))
 
 
 def with_lifts(path: FloorPath, parts: Iterable[int]) -> FloorPath:

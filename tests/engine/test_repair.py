@@ -5,7 +5,8 @@ import dataclasses
 
 import numpy as np
 import pytest
-from shapely import box
+from shapely import LineString, box
+from shapely.ops import substring
 from shapes import HEIGHTS, SQUARE, rounded
 from shapes import request as request_of
 
@@ -96,6 +97,22 @@ def test_a_link_through_stock_becomes_a_lift(use, mode):
     assert made.report.notices == plain.report.notices
     lifts = made.toolpath.kinds == Kind.RAPID
     assert lifts.sum() == (plain.toolpath.kinds == Kind.RAPID).sum() + 2
+    assert made.report.uncut_area == pytest.approx(plain.report.uncut_area, abs=1e-3)
+
+
+def test_a_link_that_only_touches_stock_is_cut_at_its_ends(use):
+    def touches(region, request, tick):
+        """Cut soundly, but take the last 0.4 mm of the first lap for a link."""
+        path = sound(region, request, tick)
+        first = LineString(path.passes[0].points)
+        begin, end = (substring(first, *s).coords for s in ((0, 0.4), (0.4, first.length)))
+        link, rest = Pass(np.array(begin), Role.LINK), Pass(np.array(end), Role.CUT)
+        return dataclasses.replace(path, passes=(link, rest, *path.passes[1:]))
+
+    plain, made = use(sound), use(touches, other=refuses)
+    assert made.report.link_hit == made.report.rapid_hit == 0.0
+    rapids = [(p.toolpath.kinds == Kind.RAPID).sum() for p in (plain, made)]
+    assert rapids[0] == rapids[1]
     assert made.report.uncut_area == pytest.approx(plain.report.uncut_area, abs=1e-3)
 
 
