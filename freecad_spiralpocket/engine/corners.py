@@ -10,7 +10,16 @@ from __future__ import annotations
 import shapely
 from shapely import Polygon
 
-from .fronts import MAX_FRONTS, SLIVER, FrontRules, Region, buffer, largest, oriented
+from .fronts import (
+    MAX_FRONTS,
+    SLIVER,
+    FrontRules,
+    Region,
+    buffer,
+    largest,
+    oriented,
+    thick_parts,
+)
 
 #: Fillet radii tried in the corners, over R; the smallest whose bite keeps below a share of the
 #: step-over is taken at once.
@@ -34,8 +43,7 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> list[
     ]
     levels = []
     for _ in range(MAX_FRONTS):
-        rest = shapely.get_parts(shapely.difference(omega, visited))
-        rest = rest[shapely.area(rest) > SLIVER]
+        rest = thick_parts(shapely.difference(omega, visited))
         if len(rest) == 0:
             break
         shapely.prepare(visited)

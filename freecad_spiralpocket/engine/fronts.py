@@ -365,6 +365,8 @@ TIP_HEIGHT = 0.01
 ROOM = 0.6
 #: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
 MAX_FRONTS = 2000
+#: What is thinner than twice this is a hairline [mm].
+HAIRLINE = 2e-4
 #: Left-over pieces of less area are not worth a stroke [mm2].
 SLIVER = 1e-3
 
@@ -479,6 +481,16 @@ def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygo
         if grown.area - visited.area > STALLED * rules.stepover * rules.cutter_radius:
             return grown
     return None
+
+
+def thick_parts(shape: Region) -> NDArray[np.object_]:
+    """Return the pieces of a region, without what is as thin as a hair.
+
+    Rounding of numbers leaves hairlines along walls, which would join all corners to a frame.
+    """
+    core = buffer(shape, -HAIRLINE)
+    parts = shapely.get_parts(shapely.intersection(shape, buffer(core, 8 * HAIRLINE)))
+    return parts[shapely.area(parts) > SLIVER]
 
 
 def oriented(shape: Polygon) -> Polygon:

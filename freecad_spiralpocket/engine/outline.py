@@ -25,8 +25,6 @@ from .region import polygons_of
 ROUNDING = 0.15
 #: Width of the ground that the slot opens for the cutter's center, over R.
 WIDTH = 0.01
-#: What is thinner than this is no corner [mm].
-HAIRLINE = 2e-4
 #: How far the ground outside of the wall reaches, over R: farther than any fillet or closing.
 MARGIN = 4.0
 
@@ -68,10 +66,8 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
     parts = polygons_of(shapely.intersection(rounded, filled))
     if len(parts) != 1 or parts[0].interiors:
         return None
-    # rounding of numbers leaves hairlines along straight walls, which would join the corners
-    corners = buffer(buffer(shapely.difference(filled, parts[0]), -HAIRLINE), HAIRLINE)
-    within = largest(shapely.difference(region, corners))
-    if len(within.interiors) != len(region.interiors):
+    within = shapely.intersection(parts[0], region)
+    if not isinstance(within, Polygon) or len(within.interiors) != len(region.interiors):
         return None
     plugs = polygons_of(buffer(parts[0], -WIDTH * radius))
     around = shapely.box(*region.bounds).buffer(MARGIN * radius, join_style="mitre")

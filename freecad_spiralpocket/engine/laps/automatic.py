@@ -22,7 +22,7 @@ from ..cleared import ClearedMap
 from ..corners import finish_corners
 from ..errors import NotYetError
 from ..floor import FloorPath, Groove, Helix, Pass
-from ..fronts import MAX_FRONTS, SLIVER, FrontRules, grow, largest, oriented
+from ..fronts import MAX_FRONTS, FrontRules, grow, largest, oriented, thick_parts
 from ..groove import groove_path
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
@@ -136,8 +136,7 @@ def _with_corners(
 
     What follows takes these.
     """
-    corners = shapely.get_parts(shapely.difference(region, within))
-    corners = corners[shapely.area(corners) > SLIVER]
+    corners = thick_parts(shapely.difference(region, within))
     if len(corners) == 0:
         return fronts
     outside = shapely.union_all(corners)
