@@ -109,6 +109,11 @@ def test_wall_is_no_boundary_of_the_region_to_grow_in(name):
     assert not shapely.is_ccw(outline.ring)
 
 
+def test_island_is_not_cut_where_the_cutter_just_passes_between_it_and_the_wall():
+    pocket = box(-40, -30, 40, 30).difference(Point(0, 18).buffer(6, quad_segs=64))
+    assert plan(request(pocket, strategy=Strategy.AUTOMATIC)).report.gouge <= 0.01
+
+
 def test_neck_narrower_than_the_slot_stays_one_ring():
     neck = box(0, 0, 30, 30).union(box(29, 11, 61, 19)).union(box(60, 0, 90, 30))
     assert outline_of(regions(neck), R) is not None
