@@ -56,6 +56,9 @@ FEW = 14
 #: No corner takes so many levels; what does is a channel hardly wider than the cutter, where
 #: strokes cannot hold the engagement. A start that leaves one is taken if it is faster by this.
 CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
+#: A start with more links than the best so far is taken if it is faster by this share: where a
+#: stroke leaves a wall the engagement jumps, and links wear the machine.
+TIE = 0.06
 #: Strokes at the mouths of bridges begin and end so much early and late, over R.
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
@@ -97,7 +100,7 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
 def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
     region = oriented(shapely.simplify(region, 0.001))
     motion = motion_of(request)
-    best, least, most = None, math.inf, MAX_FRONTS
+    best, least, fewest, most = None, math.inf, 0, MAX_FRONTS
     starts = promising(candidates(region, request), region, FEW * request.cutting.stepover)
     for i, start in enumerate(starts):
         done = partial(tick, i / len(starts))
@@ -114,12 +117,14 @@ def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
         strokes = strokes_of(fronts)
         # no links can make up for entry, cuts and turns back that take longer already
         at_least = _entry_seconds(start, request, motion) + _least_seconds(strokes, motion)
-        if toll * at_least > least:
+        links = sum(not s.closed for s in strokes)
+        if toll * at_least > (least if links <= fewest else (1 - TIE) * least):
             continue
         steps = _steps(start, fronts, strokes, region, request, motion, done)
         seconds = toll * _seconds(start, steps, request, motion)
-        if seconds < least:
-            best, least = (start, steps), seconds
+        links = sum(step.link is None or len(step.link) > 0 for step in steps)
+        if seconds < (least if links <= fewest else (1 - TIE) * least):
+            best, least, fewest = (start, steps), seconds, links
     if best is None:
         raise NotYetError(
             f"The pocket is more than {MAX_FRONTS} step-overs wide.",
