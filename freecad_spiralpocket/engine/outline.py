@@ -69,12 +69,12 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
     within = shapely.intersection(parts[0], region)
     if not isinstance(within, Polygon) or len(within.interiors) != len(region.interiors):
         return None
-    plugs = polygons_of(buffer(parts[0], -WIDTH * radius))
-    opened = shapely.difference(filled, shapely.union_all(plugs))
+    plugs = buffer(parts[0], -WIDTH * radius)
+    opened = shapely.difference(filled, plugs)
     if any(opened.intersects(Polygon(island)) for island in region.interiors):
         return None  # between an island and the wall there is no room for it
     around = shapely.box(*region.bounds).buffer(MARGIN * radius, join_style="mitre")
-    visited = oriented(largest(shapely.difference(around, shapely.union_all(plugs))))
+    visited = oriented(largest(shapely.difference(around, plugs)))
     omega = oriented(
         Polygon(around.exterior, [shapely.get_coordinates(r) for r in region.interiors])
     )

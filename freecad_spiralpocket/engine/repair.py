@@ -163,13 +163,11 @@ class _Repair:
                 found.setdefault(id(path), set()).add(part)
         if not found:
             return None
-        changed = {}
-        for path in {
-            id(cut.path): cut.path for cut in proved.cuts if id(cut.path) in found
-        }.values():
-            new = changed[id(path)] = change(path, found[id(path)])
-            parts = [*(path.passes[i] for i in found[id(path)]), *new.passes]
-            done.update({id(p): p for p in parts if isinstance(p, Pass) and p.role is Role.LINK})
+        paths = {id(cut.path): cut.path for cut in proved.cuts}
+        changed = {key: change(paths[key], parts) for key, parts in found.items()}
+        for key, parts in found.items():
+            links = [*(paths[key].passes[i] for i in parts), *changed[key].passes]
+            done.update({id(p): p for p in links if isinstance(p, Pass) and p.role is Role.LINK})
         return [replace(cut, path=changed.get(id(cut.path), cut.path)) for cut in proved.cuts]
 
     def _planned_again(self, proved: Proved) -> list[Cut] | None:

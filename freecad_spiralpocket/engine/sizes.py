@@ -8,14 +8,19 @@ may plan in the size that its own lengths are made for.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import fields, replace
+from typing import Any, TypeVar
 
 from shapely import Polygon
 from shapely.affinity import scale
 
 from .floor import FloorPath, Groove, Helix, Pass, Slot
 from .machine import MIDDLING, Axes, Machine
-from .model import PocketRequest, Section
+from .model import Feeds, Heights, PocketRequest, Section
+
+#: A dataclass.
+Record = TypeVar("Record")
 
 
 def resized(shape: Polygon, factor: float) -> Polygon:
@@ -25,41 +30,17 @@ def resized(shape: Polygon, factor: float) -> Polygon:
 
 def resized_request(request: PocketRequest, factor: float) -> PocketRequest:
     """Return a request with all lengths, speeds and accelerations times `factor`."""
-    heights, feeds, cutting = request.heights, request.feeds, request.cutting
     start = request.start_point
     return replace(
         request,
         pocket=resized(request.pocket, factor),
         tool_diameter=factor * request.tool_diameter,
-        heights=replace(
-            heights,
-            clearance=factor * heights.clearance,
-            safe=factor * heights.safe,
-            start_depth=factor * heights.start_depth,
-            final_depth=factor * heights.final_depth,
-            step_down=factor * heights.step_down,
-            finish_depth=factor * heights.finish_depth,
-        ),
-        feeds=replace(
-            feeds,
-            horizontal=factor * feeds.horizontal,
-            vertical=factor * feeds.vertical,
-            horizontal_rapid=factor * feeds.horizontal_rapid,
-            vertical_rapid=factor * feeds.vertical_rapid,
-        ),
-        cutting=replace(
-            cutting,
-            stepover=factor * cutting.stepover,
-            stock_to_leave=factor * cutting.stock_to_leave,
-            floor_stock=factor * cutting.floor_stock,
-        ),
-        entry=replace(
-            request.entry,
-            max_diameter=factor * request.entry.max_diameter,
-            slot_bite=factor * request.entry.slot_bite,
-        ),
+        heights=_times(request.heights, factor, [f.name for f in fields(Heights)]),
+        feeds=_times(request.feeds, factor, [f.name for f in fields(Feeds)]),
+        cutting=_times(request.cutting, factor, ["stepover", "stock_to_leave", "floor_stock"]),
+        entry=_times(request.entry, factor, ["max_diameter", "slot_bite"]),
         tolerance=factor * request.tolerance,
-        feed_plan=replace(request.feed_plan, link_feed=factor * request.feed_plan.link_feed),
+        feed_plan=_times(request.feed_plan, factor, ["link_feed"]),
         machine=resized_machine(request.machine or MIDDLING, factor),
         start_point=None if start is None else (factor * start[0], factor * start[1]),
         sections=tuple(_resized_section(section, factor) for section in request.sections),
@@ -68,17 +49,16 @@ def resized_request(request: PocketRequest, factor: float) -> PocketRequest:
 
 def resized_machine(machine: Machine, factor: float) -> Machine:
     """Return a machine with all lengths, speeds, accelerations and jerks times `factor`."""
-    normal = machine.normal_acceleration
-    return replace(
+    names = ["corner_value", "path_speed", "path_acceleration"]
+    if machine.normal_acceleration is not None:
+        names.append("normal_acceleration")
+    moved = replace(
         machine,
-        speed=_times(machine.speed, factor),
-        acceleration=_times(machine.acceleration, factor),
-        corner_value=factor * machine.corner_value,
-        jerk=_times(machine.jerk, factor),
-        path_speed=factor * machine.path_speed,
-        path_acceleration=factor * machine.path_acceleration,
-        normal_acceleration=None if normal is None else factor * normal,
+        speed=_axes(machine.speed, factor),
+        acceleration=_axes(machine.acceleration, factor),
+        jerk=_axes(machine.jerk, factor),
     )
+    return _times(moved, factor, names)
 
 
 def resized_path(path: FloorPath, factor: float) -> FloorPath:
@@ -98,17 +78,11 @@ def resized_path(path: FloorPath, factor: float) -> FloorPath:
 
 def _resized_entry(entry: Helix | Slot | Groove, factor: float) -> Helix | Slot | Groove:
     if isinstance(entry, Helix):
-        return replace(entry, center=factor * entry.center, radius=factor * entry.radius)
+        return _times(entry, factor, ["center", "radius"])
     if isinstance(entry, Slot):
-        return replace(entry, ring=factor * entry.ring, bite=factor * entry.bite)
-    return replace(
-        entry,
-        ring=factor * entry.ring,
-        tips=tuple(factor * at for at in entry.tips),
-        feet=tuple(factor * at for at in entry.feet),
-        trunk=factor * entry.trunk,
-        bite=factor * entry.bite,
-    )
+        return _times(entry, factor, ["ring", "bite"])
+    lengths = _times(entry, factor, ["ring", "trunk", "bite"])
+    return replace(lengths, tips=_each(entry.tips, factor), feet=_each(entry.feet, factor))
 
 
 def _resized_section(section: Section, factor: float) -> Section:
@@ -120,6 +94,16 @@ def _resized_section(section: Section, factor: float) -> Section:
     )
 
 
-def _times(axes: Axes, factor: float) -> Axes:
+def _times(record: Record, factor: float, names: Sequence[str]) -> Record:
+    """Return a record with the values of these names times `factor`."""
+    values: dict[str, Any] = {name: factor * getattr(record, name) for name in names}
+    return replace(record, **values)  # type: ignore[type-var]
+
+
+def _each(values: Sequence[float], factor: float) -> tuple[float, ...]:
+    return tuple(factor * value for value in values)
+
+
+def _axes(axes: Axes, factor: float) -> Axes:
     x, y, z = axes
     return (factor * x, factor * y, factor * z)

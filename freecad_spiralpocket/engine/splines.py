@@ -51,28 +51,15 @@ def periodic_controls(breaks: Floats, points: Floats) -> Floats:
     ndarray of shape (n, 2)
         See `periodic_cubic`.
     """
-    from scipy.linalg.lapack import dgtsv
+    from scipy.interpolate import CubicSpline
 
-    # at break i the controls i, i + 1, i + 2 count
-    step = np.diff(breaks)
-    past, far, ahead = np.roll(step, 1), np.roll(step, 2), np.roll(step, -1)
-    first = step**2 / ((past + step) * (far + past + step))
-    third = past**2 / ((past + step) * (past + step + ahead))
-    second = 1 - first - third
-    # a ring of three diagonals is three diagonals and a product (Sherman and Morrison)
-    corner = -second[0]
-    second[-1] -= first[0] * third[-1] / corner
-    second[0] -= corner
-    more = np.zeros(len(step))
-    more[0], more[-1] = corner, third[-1]
-    right = np.column_stack([points, more])
-    *_, found, failed = dgtsv(first[1:], second, third[:-1], right)
-    if failed:
-        raise np.linalg.LinAlgError("The points are too close together for a spline.")
-    found, extra = found[:, :2], found[:, 2:]
-    share = first[0] / corner
-    back = (found[0] + share * found[-1]) / (1 + extra[0] + share * extra[-1])
-    return np.asarray(np.roll(found - extra * back, 1, axis=0))
+    closed = np.vstack([points, points[:1]])
+    _, second, first, value = CubicSpline(breaks, closed, bc_type="periodic").c
+    # control i is the blossom of piece i at break i and the two before it
+    past = np.roll(np.diff(breaks), 1)
+    far = past + np.roll(past, 1)
+    controls = value - first * (past + far)[:, None] / 3 + second * (past * far)[:, None] / 3
+    return np.asarray(controls)
 
 
 def periodic_beziers(breaks: Floats, controls: Floats) -> Floats:
