@@ -21,9 +21,9 @@ from scipy.spatial import cKDTree
 from shapely import LineString, Polygon
 
 from .coverable import Center
-from .fronts import buffer, oriented
 from .model import Floats
 from .polyline import points_at
+from .shaping import buffer, oriented
 from .strokes import CHORD
 
 #: Curvature is measured over this length to both sides, over R.

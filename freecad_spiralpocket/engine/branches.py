@@ -15,10 +15,10 @@ import shapely
 from shapely import LineString, Polygon
 
 from .filters import evened
-from .fronts import buffer, largest
 from .model import Floats
 from .nearest import nearest
 from .polyline import points_at
+from .shaping import buffer, largest
 from .skeleton import Edges, Skeleton, distances_from
 
 #: A groove ends so far from the wall ahead, over the distance of the walls at its sides.

@@ -10,16 +10,9 @@ from __future__ import annotations
 import shapely
 from shapely import Polygon
 
-from .fronts import (
-    MAX_FRONTS,
-    SLIVER,
-    FrontRules,
-    Region,
-    buffer,
-    largest,
-    oriented,
-    thick_parts,
-)
+from .front_rules import FrontRules
+from .fronts import MAX_FRONTS
+from .shaping import SLIVER, Region, buffer, largest, oriented, thick_parts
 
 #: Fillet radii tried in the corners, over R; the smallest whose bite keeps below a share of the
 #: step-over is taken at once.

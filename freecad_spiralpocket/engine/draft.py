@@ -17,11 +17,13 @@ from shapely import Polygon
 from shapely.affinity import scale
 
 from .checks import check_request
-from .fronts import ROOM, STALLED, FrontRules, engagement_step, largest, oriented
+from .front_rules import FrontRules, engagement_step
+from .fronts import ROOM, STALLED
 from .laps import automatic
 from .model import CutMode, Floats, PocketRequest
 from .outline import outline_of
 from .region import center_regions
+from .shaping import largest, oriented
 from .starts import candidates, island_ring
 
 #: Outlines are coarse by this much, over R; chords in a quarter circle.

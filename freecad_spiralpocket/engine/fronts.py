@@ -19,80 +19,21 @@ a curve, with the step measured by engagement instead of distance.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from typing import TypeAlias
+from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
-from shapely import MultiPolygon, Polygon
+from shapely import Polygon
 
+from .closings import without_kinks
 from .filters import evened, highest
+from .front_rules import NEW, FrontRules, engagement_step
 from .model import Floats
 from .polyline import points_at, simplified
 from .region import polygons_of
+from .shaping import SLIVER, Region, buffer, largest, oriented, welded
 from .walls import are_near_walls
-
-#: What growing and shrinking return.
-Region: TypeAlias = Polygon | MultiPolygon
-
-
-@dataclass(frozen=True, slots=True)
-class FrontRules:
-    """What governs the growth.
-
-    Attributes
-    ----------
-    cutter_radius : float
-        R [mm].
-    limit : float
-        Largest engagement angle [rad], in ``(0, pi)``.
-    closing : float
-        Least radius of reentrant curves [mm].
-    fillet : float
-        Radius with which fronts meet walls [mm].
-    """
-
-    cutter_radius: float
-    limit: float
-    closing: float
-    fillet: float
-
-    @property
-    def stepover(self) -> float:
-        """Return the step of a straight front [mm]."""
-        return self.cutter_radius * (1 - float(np.cos(self.limit)))
-
-
-def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:
-    """Return the step that keeps the engagement at the limit.
-
-    Parameters
-    ----------
-    curvature : ndarray of shape (n,)
-        Of the front, positive where convex [1/mm].
-    rules : FrontRules
-
-    Returns
-    -------
-    ndarray of shape (n,)
-        [mm], in ``(0, WIDEST * stepover]``.
-    """
-    r, s = rules.cutter_radius, rules.cutter_radius * np.sin(rules.limit)
-    k = np.where(np.abs(curvature) < 1e-6, 1e-6, curvature)
-    widest = WIDEST * rules.stepover
-    # stock that is tighter than this may be taken as deeply as anything is
-    rho = np.where(k < 0, np.minimum(r + 1 / k, -s), r + 1 / k)
-    root = np.sqrt(rho**2 - s**2)
-    # rho - root without cancellation
-    return np.minimum(rules.stepover - s**2 / (rho + np.copysign(root, rho)), widest)
-
-
-def buffer(shape: Region, distance: float) -> Region:
-    """Grow or shrink within 0.004 mm."""
-    step = 2 * np.arccos(1 - min(0.5, 0.004 / max(abs(distance), 1e-6)))
-    return shapely.buffer(shape, distance, quad_segs=max(4, int(np.ceil(np.pi / 2 / step))))
 
 
 def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
@@ -110,7 +51,7 @@ def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
     if len(taken):
         free = taken[~shapely.dwithin(omega.boundary, taken, 0.02)]
         if len(free):
-            return _welded([opened, *free])
+            return welded([opened, *free])
     return opened
 
 
@@ -175,7 +116,7 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         loop = 0.25 * rules.cutter_radius
         moved = buffer(buffer(shapely.make_valid(moved), -loop), loop)
         moved = shapely.union(moved, buffer(visited, least))
-    closed = _without_cusps(_closed(moved, visited, omega, rules, CLOSINGS), moved, rules)
+    closed = without_kinks(moved, visited, omega, rules)
     grown = _filleted(shapely.intersection(closed, omega), rules.fillet, omega)
     front = shapely.simplify(largest(shapely.union(grown, visited)), 0.002)
     # a tiny hole beside the rim may come to lie outside
@@ -199,128 +140,6 @@ def _without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> 
     return oriented(Polygon(visited.exterior, kept))
 
 
-def _closed(
-    moved: Region, visited: Polygon, omega: Polygon, rules: FrontRules, shares: Sequence[float]
-) -> Region:
-    """Round reentrant kinks of a moved front, each as widely as the cutter reaches over.
-
-    Going round `visited` and then round the new front it clears what is within its radius of
-    either; a wider fill would be taken for cleared and stay standing. There the next smaller of
-    the radii in `shares` is taken.
-    """
-    if not shares:
-        return moved
-    radius = shares[0] * rules.closing
-    closed = buffer(buffer(moved, radius), -radius)
-    if _is_reached(closed, moved, visited, rules):
-        return closed
-    fills = shapely.get_parts(shapely.difference(closed, moved))
-    fills = fills[shapely.area(fills) > SLIVER]
-    if len(fills) == 0:
-        return closed
-    edges = _new_edges(fills, moved)
-    # only a plug's corners: elsewhere strokes, not laps, would have to take so much
-    corner = (edges == 1) & shapely.contains_properly(Polygon(visited.exterior), fills)
-    edge = shapely.intersection(closed, omega).boundary
-    far = fills[_are_beyond(fills, corner, edges == 0, visited, edge, rules)]
-    if len(far) == 0:
-        return closed
-    pieces = [shapely.difference(closed, shapely.union_all(far))]
-    for piece in far:
-        zone = buffer(piece, 0.01)
-        x0, y0, x1, y1 = zone.bounds
-        near = shapely.clip_by_rect(moved, x0 - radius, y0 - radius, x1 + radius, y1 + radius)
-        finer = _closed(near, visited, omega, rules, shares[1:])
-        pieces.append(shapely.intersection(finer, zone))
-    return shapely.union_all(pieces)
-
-
-def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
-    """Round the cusps of what was filled, which arise where a closing just fits through a channel.
-
-    Tips of the moved front itself stay.
-    """
-    rings = [ring for p in polygons_of(closed) for ring in (p.exterior, *p.interiors)]
-    coords, of = shapely.get_coordinates(rings, return_index=True)
-    steps, same = np.diff(coords, axis=0), of[1:] == of[:-1]
-    turns = np.arctan2(
-        steps[:-1, 0] * steps[1:, 1] - steps[:-1, 1] * steps[1:, 0],
-        (steps[:-1] * steps[1:]).sum(axis=1),
-    )
-    # the visited region is on the left
-    sharp = coords[1:-1][(turns > CUSP_TURN) & same[1:] & same[:-1]]
-    if shapely.dwithin(moved, shapely.points(sharp), NEW).all():
-        return closed
-    radius = CUSP * rules.cutter_radius
-    return _welded([buffer(buffer(closed, -radius), radius), moved])
-
-
-def _welded(shapes: Sequence[Region]) -> Region:
-    """Return the union, without the cracks that stay where edges are nearly the same."""
-    return buffer(buffer(shapely.union_all(shapes), CRACK), -CRACK)
-
-
-def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRules) -> bool:
-    """Return whether surely all that was filled is within reach of `visited`; quick."""
-    holes = [sum(len(p.interiors) for p in polygons_of(shape)) for shape in (closed, moved)]
-    if holes[0] < holes[1]:
-        return False
-    shapely.prepare(visited)
-    points = shapely.points(shapely.get_coordinates(closed))
-    return bool(shapely.dwithin(visited, points, REACHED * rules.cutter_radius).all())
-
-
-def _new_edges(fills: NDArray[np.object_], moved: Region) -> NDArray[np.intp]:
-    """Return how many new edges each fill has: none closes a hole, two join two fronts."""
-    rings = shapely.segmentize(shapely.get_exterior_ring(fills), EDGE)
-    coords, of = shapely.get_coordinates(rings, return_index=True)
-    shapely.prepare(moved)
-    new = ~shapely.dwithin(moved, shapely.points(coords), NEW)
-    # a ring's last point is its first
-    begins = new[1:] & ~new[:-1] & (of[1:] == of[:-1])
-    edges = np.bincount(of[1:][begins], minlength=len(fills))
-    whole = np.bincount(of, weights=~new, minlength=len(fills)) == 0
-    return np.where(whole, 1, edges) + shapely.get_num_interior_rings(fills)
-
-
-def _are_beyond(
-    fills: NDArray[np.object_],
-    corner: NDArray[np.bool_],
-    closing: NDArray[np.bool_],
-    visited: Polygon,
-    edge: Region,
-    rules: FrontRules,
-) -> NDArray[np.bool_]:
-    """Return which fills the cutter does not clear wholly.
-
-    It goes round `visited`, and where a `corner` is rounded then along its new edge.
-    """
-    reach = REACHED * rules.cutter_radius
-    coords, of = shapely.get_coordinates(fills, return_index=True)
-    points = shapely.points(coords)
-    shapely.prepare(visited)
-    shapely.prepare(edge)
-    lost = ~shapely.dwithin(visited, points, reach)
-    lost &= ~(corner[of] & shapely.dwithin(edge, points, reach))
-    bulge = rules.stepover + BULGE * rules.closing
-    lost |= corner[of] & ~shapely.dwithin(visited, points, bulge)
-    beyond = np.zeros(len(fills), dtype=bool)
-    beyond[of[lost]] = True
-    # the middle of a wide piece may be out of reach though its rim is not
-    for i in np.flatnonzero(~beyond & (closing | (shapely.area(fills) > reach**2))):
-        x0, y0, x1, y1 = fills[i].bounds
-        window = shapely.box(x0 - reach, y0 - reach, x1 + reach, y1 + reach)
-        around = (visited, edge) if corner[i] else (visited,)
-        near = [buffer(shapely.intersection(s, window), reach) for s in around]
-        beyond[i] = shapely.difference(fills[i], shapely.union_all(near)).area > SLIVER
-    return beyond
-
-
-def largest(shape: Region) -> Polygon:
-    """Return the largest polygon of a region, counter-clockwise."""
-    return oriented(shape) if isinstance(shape, Polygon) else polygons_of(shape)[0]
-
-
 #: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
 #: much, over R: a step that jumps makes waves that grow from lap to lap.
 REACH, EVEN = 0.8, 0.9
@@ -331,21 +150,6 @@ FAR = 3.0
 SPACING, SOFT = 0.12, 0.4
 #: Samples of a moved front that matter less than this are left out [mm].
 STRAIGHT = 0.0005
-#: Where the stock bends away from the cutter the step may be so much over the step-over.
-WIDEST = 1.15
-#: A front goes no farther than this beyond the last, over R: there the cutter reached over.
-REACHED = 0.92
-#: The rounded corner of a plug is no deeper than this over `FrontRules.closing` and the step-over:
-#: the cutter comes to it along a side and would be engaged that much more.
-BULGE = 0.32
-#: Radii tried to round a reentrant kink, over `FrontRules.closing`.
-CLOSINGS = (1.0, 0.5, 0.2)
-#: A fill's cusp turns by more than this [rad], and is rounded with this radius, over R.
-CUSP_TURN, CUSP = np.radians(25.0), 0.35
-#: Cracks where shapes are joined are narrower than twice this [mm].
-CRACK = 0.01
-#: Distance of the points of a fill by which its new edges are counted [mm].
-EDGE = 0.5
 #: A hole holds no stock that is wide enough for less than the cutter by this, half its width [mm].
 IDLE = 0.003
 #: Growth ends when a step adds less than this share of the last stroke's area.
@@ -356,8 +160,6 @@ SCRAP = 0.35
 STRETCH = 1.05
 #: Ribs below this area are not worth that, over R and the step-over.
 RIBS = 0.1
-#: The front is new where it is farther than this from the region before [mm].
-NEW = 0.012
 #: An opening may take so much of a free tip, over the fillet.
 TIP_HEIGHT = 0.01
 #: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
@@ -365,10 +167,6 @@ TIP_HEIGHT = 0.01
 ROOM = 0.6
 #: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
 MAX_FRONTS = 2000
-#: What is thinner than twice this is a hairline [mm].
-HAIRLINE = 2e-4
-#: Left-over pieces of less area are not worth a stroke [mm2].
-SLIVER = 1e-3
 
 
 def grow(
@@ -481,18 +279,3 @@ def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygo
         if grown.area - visited.area > STALLED * rules.stepover * rules.cutter_radius:
             return grown
     return None
-
-
-def thick_parts(shape: Region) -> NDArray[np.object_]:
-    """Return the pieces of a region, without what is as thin as a hair.
-
-    Rounding of numbers leaves hairlines along walls, which would join all corners to a frame.
-    """
-    core = buffer(shape, -HAIRLINE)
-    parts = shapely.get_parts(shapely.intersection(shape, buffer(core, 8 * HAIRLINE)))
-    return parts[shapely.area(parts) > SLIVER]
-
-
-def oriented(shape: Polygon) -> Polygon:
-    """Return `shape` with its exterior counter-clockwise and its interiors clockwise."""
-    return shapely.geometry.polygon.orient(shape)

@@ -20,12 +20,12 @@ from scipy.spatial import cKDTree
 from shapely import Polygon
 
 from .dependencies import require
-from .fronts import oriented
 from .hermite_quartic import ClosedFit
 from .model import Floats, PocketRequest
 from .nested import SPACING, Mover
 from .poisson import HeatField, solve
 from .region import grow, polygons_of
+from .shaping import oriented
 
 if TYPE_CHECKING:
     from contourpy import ContourGenerator

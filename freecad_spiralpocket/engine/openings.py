@@ -18,10 +18,10 @@ from shapely import LineString, Point, Polygon
 from .coverable import Center, maximal_centers
 from .entry import fit_helix_radius, slot_end
 from .floor import Helix, Slot
-from .fronts import buffer, oriented
 from .joints import Joint, joined
 from .model import PocketRequest
 from .polyline import ring_from
+from .shaping import buffer, oriented
 from .skeleton import Skeleton
 from .starts import HALF_WIDTHS, Start, slot_round
 

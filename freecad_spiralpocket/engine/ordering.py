@@ -17,11 +17,11 @@ import shapely
 from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
-from .fronts import Region, buffer
 from .linking import Motion, are_nervous, fine_link, hermite_links, link_times
 from .model import Floats
 from .polyline import points_at
 from .routing import route
+from .shaping import Region, buffer
 from .spiral import (
     chains_of,
     closed_line,

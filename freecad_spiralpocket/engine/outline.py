@@ -18,8 +18,8 @@ from dataclasses import dataclass
 import shapely
 from shapely import LineString, Polygon
 
-from .fronts import buffer, largest, oriented
 from .region import polygons_of
+from .shaping import buffer, largest, oriented
 
 #: The slot rounds the wall's corners with at least this radius, over R.
 ROUNDING = 0.15

@@ -16,10 +16,10 @@ import shapely
 from shapely import LineString, Polygon
 
 from .filters import evened
-from .fronts import Region
 from .model import Floats
 from .nearest import nearest
 from .polyline import locate, points_at
+from .shaping import Region
 from .strokes import CHORD, Stroke
 
 #: Length of the zone over which a lap becomes the next, over R: the way across adds its angle to

@@ -24,11 +24,11 @@ from .branches import feet_between, lengthened, slim_ring, smoothed
 from .entry import WIDEST, fit_helix_radius
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot
-from .fronts import buffer, largest, oriented
 from .graphs import delaunay_triangles, spanning_tree
 from .model import Floats, PocketRequest
 from .outline import outline_of
 from .polyline import points_at
+from .shaping import buffer, largest, oriented
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
 

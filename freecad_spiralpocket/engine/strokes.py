@@ -16,7 +16,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from .fronts import NEW
+from .front_rules import NEW
 from .model import Floats
 
 #: Thinner strokes than this cut nothing worth a move [mm].

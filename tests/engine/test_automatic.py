@@ -20,7 +20,8 @@ from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.cleared import ClearedMap
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.findings import TOUCH
-from freecad_spiralpocket.engine.fronts import FrontRules, advance, engagement_step
+from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
+from freecad_spiralpocket.engine.fronts import advance
 from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.region import center_regions

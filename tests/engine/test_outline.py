@@ -12,10 +12,11 @@ from shapely import LineString, Point, Polygon, box
 from shapes import DUMBBELL, L_SHAPE, SQUARE, request
 
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.fronts import FrontRules, engagement_step, thick_parts
+from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
 from freecad_spiralpocket.engine.laps import automatic
 from freecad_spiralpocket.engine.model import Cutting, Strategy
 from freecad_spiralpocket.engine.outline import outline_of
+from freecad_spiralpocket.engine.shaping import thick_parts
 from freecad_spiralpocket.engine.spiral import closed_line, ends_of, spiral_through, without_air
 from freecad_spiralpocket.engine.toolpath import Role
 

@@ -22,7 +22,8 @@ from ..cleared import ClearedMap
 from ..corners import finish_corners
 from ..errors import NotYetError
 from ..floor import FloorPath, Groove, Helix, Pass
-from ..fronts import MAX_FRONTS, FrontRules, grow, largest, oriented, thick_parts
+from ..front_rules import FrontRules
+from ..fronts import MAX_FRONTS, grow
 from ..groove import groove_path
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
@@ -30,6 +31,7 @@ from ..model import Floats, PocketRequest, Tick
 from ..nearest import nearest
 from ..ordering import Step, order, runs_of
 from ..polyline import simplified
+from ..shaping import largest, oriented, thick_parts
 from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
 from ..starts import Start, candidates

@@ -31,13 +31,14 @@ from ..clothoids import ClothoidPath
 from ..corners import finish_corners
 from ..errors import NotYetError
 from ..floor import FloorPath
-from ..fronts import MAX_FRONTS, grow, largest, oriented
+from ..fronts import MAX_FRONTS, grow
 from ..joints import walk_over
 from ..model import Floats, PocketRequest, Tick
 from ..openings import Opening, open_centers
 from ..ordering import SLACK, Step, order, runs_of
 from ..polyline import points_at
 from ..routing import route
+from ..shaping import largest, oriented
 from ..skeleton import Skeleton, medial_axis
 from ..starts import Start
 from ..strokes import Stroke, strokes_of

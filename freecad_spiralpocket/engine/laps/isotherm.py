@@ -34,7 +34,6 @@ from shapely import Point, Polygon
 
 from ..errors import NotYetError
 from ..floor import FloorPath
-from ..fronts import oriented
 from ..isotherm_slots import core_of, core_share, pays, slots_for
 from ..isotherms import (
     Family,
@@ -51,6 +50,7 @@ from ..isotherms import (
 )
 from ..model import PocketRequest, Tick
 from ..nested import Lap, path_through
+from ..shaping import oriented
 from .automatic import motion_of
 from .closing import corner_fillet
 

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rounding the reentrant kinks of a moved front, each as widely as the cutter clears it.
+
+A closing fills kinks. What it fills counts as cleared, so that it must lie within the cutter's
+reach of where it goes; and where the cutter goes round what was filled, the rounded corner of a
+plug, its engagement must stay near the limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import Polygon
+
+from .front_rules import NEW, FrontRules
+from .region import polygons_of
+from .shaping import SLIVER, Region, buffer, welded
+
+#: A front goes no farther than this beyond the last, over R: there the cutter reached over.
+REACHED = 0.92
+#: The rounded corner of a plug is no deeper than this over `FrontRules.closing` and the step-over:
+#: the cutter comes to it along a side and would be engaged that much more.
+BULGE = 0.32
+#: Radii tried to round a reentrant kink, over `FrontRules.closing`.
+CLOSINGS = (1.0, 0.5, 0.2)
+#: A fill's cusp turns by more than this [rad], and is rounded with this radius, over R.
+CUSP_TURN, CUSP = np.radians(25.0), 0.35
+#: Distance of the points of a fill by which its new edges are counted [mm].
+EDGE = 0.5
+
+
+def without_kinks(moved: Region, visited: Polygon, omega: Polygon, rules: FrontRules) -> Region:
+    """Return a moved front with its reentrant kinks rounded.
+
+    Parameters
+    ----------
+    moved : shapely.Polygon or MultiPolygon
+        The region visited after a step.
+    visited, omega : shapely.Polygon
+        The region visited before; the cutter-center region.
+    rules : FrontRules
+    """
+    return _without_cusps(_closed(moved, visited, omega, rules, CLOSINGS), moved, rules)
+
+
+def _closed(
+    moved: Region, visited: Polygon, omega: Polygon, rules: FrontRules, shares: Sequence[float]
+) -> Region:
+    """Round reentrant kinks of a moved front, each as widely as the cutter reaches over.
+
+    Going round `visited` and then round the new front it clears what is within its radius of
+    either; a wider fill would be taken for cleared and stay standing. There the next smaller of
+    the radii in `shares` is taken.
+    """
+    if not shares:
+        return moved
+    radius = shares[0] * rules.closing
+    closed = buffer(buffer(moved, radius), -radius)
+    if _is_reached(closed, moved, visited, rules):
+        return closed
+    fills = shapely.get_parts(shapely.difference(closed, moved))
+    fills = fills[shapely.area(fills) > SLIVER]
+    if len(fills) == 0:
+        return closed
+    edges = _new_edges(fills, moved)
+    # only a plug's corners: elsewhere strokes, not laps, would have to take so much
+    corner = (edges == 1) & shapely.contains_properly(Polygon(visited.exterior), fills)
+    edge = shapely.intersection(closed, omega).boundary
+    far = fills[_are_beyond(fills, corner, edges == 0, visited, edge, rules)]
+    if len(far) == 0:
+        return closed
+    pieces = [shapely.difference(closed, shapely.union_all(far))]
+    for piece in far:
+        zone = buffer(piece, 0.01)
+        x0, y0, x1, y1 = zone.bounds
+        near = shapely.clip_by_rect(moved, x0 - radius, y0 - radius, x1 + radius, y1 + radius)
+        finer = _closed(near, visited, omega, rules, shares[1:])
+        pieces.append(shapely.intersection(finer, zone))
+    return shapely.union_all(pieces)
+
+
+def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
+    """Round the cusps of what was filled, which arise where a closing just fits through a channel.
+
+    Tips of the moved front itself stay.
+    """
+    rings = [ring for p in polygons_of(closed) for ring in (p.exterior, *p.interiors)]
+    coords, of = shapely.get_coordinates(rings, return_index=True)
+    steps, same = np.diff(coords, axis=0), of[1:] == of[:-1]
+    turns = np.arctan2(
+        steps[:-1, 0] * steps[1:, 1] - steps[:-1, 1] * steps[1:, 0],
+        (steps[:-1] * steps[1:]).sum(axis=1),
+    )
+    # the visited region is on the left
+    sharp = coords[1:-1][(turns > CUSP_TURN) & same[1:] & same[:-1]]
+    if shapely.dwithin(moved, shapely.points(sharp), NEW).all():
+        return closed
+    radius = CUSP * rules.cutter_radius
+    return welded([buffer(buffer(closed, -radius), radius), moved])
+
+
+def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRules) -> bool:
+    """Return whether surely all that was filled is within reach of `visited`; quick."""
+    holes = [sum(len(p.interiors) for p in polygons_of(shape)) for shape in (closed, moved)]
+    if holes[0] < holes[1]:
+        return False
+    shapely.prepare(visited)
+    points = shapely.points(shapely.get_coordinates(closed))
+    return bool(shapely.dwithin(visited, points, REACHED * rules.cutter_radius).all())
+
+
+def _new_edges(fills: NDArray[np.object_], moved: Region) -> NDArray[np.intp]:
+    """Return how many new edges each fill has: none closes a hole, two join two fronts."""
+    rings = shapely.segmentize(shapely.get_exterior_ring(fills), EDGE)
+    coords, of = shapely.get_coordinates(rings, return_index=True)
+    shapely.prepare(moved)
+    new = ~shapely.dwithin(moved, shapely.points(coords), NEW)
+    # a ring's last point is its first
+    begins = new[1:] & ~new[:-1] & (of[1:] == of[:-1])
+    edges = np.bincount(of[1:][begins], minlength=len(fills))
+    whole = np.bincount(of, weights=~new, minlength=len(fills)) == 0
+    return np.where(whole, 1, edges) + shapely.get_num_interior_rings(fills)
+
+
+def _are_beyond(
+    fills: NDArray[np.object_],
+    corner: NDArray[np.bool_],
+    closing: NDArray[np.bool_],
+    visited: Polygon,
+    edge: Region,
+    rules: FrontRules,
+) -> NDArray[np.bool_]:
+    """Return which fills the cutter does not clear wholly.
+
+    It goes round `visited`, and where a `corner` is rounded then along its new edge.
+    """
+    reach = REACHED * rules.cutter_radius
+    coords, of = shapely.get_coordinates(fills, return_index=True)
+    points = shapely.points(coords)
+    shapely.prepare(visited)
+    shapely.prepare(edge)
+    lost = ~shapely.dwithin(visited, points, reach)
+    lost &= ~(corner[of] & shapely.dwithin(edge, points, reach))
+    bulge = rules.stepover + BULGE * rules.closing
+    lost |= corner[of] & ~shapely.dwithin(visited, points, bulge)
+    beyond = np.zeros(len(fills), dtype=bool)
+    beyond[of[lost]] = True
+    # the middle of a wide piece may be out of reach though its rim is not
+    for i in np.flatnonzero(~beyond & (closing | (shapely.area(fills) > reach**2))):
+        x0, y0, x1, y1 = fills[i].bounds
+        window = shapely.box(x0 - reach, y0 - reach, x1 + reach, y1 + reach)
+        around = (visited, edge) if corner[i] else (visited,)
+        near = [buffer(shapely.intersection(s, window), reach) for s in around]
+        beyond[i] = shapely.difference(fills[i], shapely.union_all(near)).area > SLIVER
+    return beyond

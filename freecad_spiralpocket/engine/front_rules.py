@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far a front may go in one step: as far as the engagement allows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .model import Floats
+
+#: Where the stock bends away from the cutter the step may be so much over the step-over.
+WIDEST = 1.15
+#: The front is new where it is farther than this from the region before [mm].
+NEW = 0.012
+
+
+@dataclass(frozen=True, slots=True)
+class FrontRules:
+    """What governs the growth.
+
+    Attributes
+    ----------
+    cutter_radius : float
+        R [mm].
+    limit : float
+        Largest engagement angle [rad], in ``(0, pi)``.
+    closing : float
+        Least radius of reentrant curves [mm].
+    fillet : float
+        Radius with which fronts meet walls [mm].
+    """
+
+    cutter_radius: float
+    limit: float
+    closing: float
+    fillet: float
+
+    @property
+    def stepover(self) -> float:
+        """Return the step of a straight front [mm]."""
+        return self.cutter_radius * (1 - float(np.cos(self.limit)))
+
+
+def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:
+    """Return the step that keeps the engagement at the limit.
+
+    Parameters
+    ----------
+    curvature : ndarray of shape (n,)
+        Of the front, positive where convex [1/mm].
+    rules : FrontRules
+
+    Returns
+    -------
+    ndarray of shape (n,)
+        [mm], in ``(0, WIDEST * stepover]``.
+    """
+    r, s = rules.cutter_radius, rules.cutter_radius * np.sin(rules.limit)
+    k = np.where(np.abs(curvature) < 1e-6, 1e-6, curvature)
+    widest = WIDEST * rules.stepover
+    # stock that is tighter than this may be taken as deeply as anything is
+    rho = np.where(k < 0, np.minimum(r + 1 / k, -s), r + 1 / k)
+    root = np.sqrt(rho**2 - s**2)
+    # rho - root without cancellation
+    return np.minimum(rules.stepover - s**2 / (rho + np.copysign(root, rho)), widest)

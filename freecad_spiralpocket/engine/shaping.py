@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Growing, shrinking and joining regions, within a few thousandths of a millimeter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import MultiPolygon, Polygon
+
+from .region import polygons_of
+
+#: What growing and shrinking return.
+Region: TypeAlias = Polygon | MultiPolygon
+
+#: Cracks where shapes are joined are narrower than twice this [mm].
+CRACK = 0.01
+#: What is thinner than twice this is a hairline [mm].
+HAIRLINE = 2e-4
+#: Left-over pieces of less area are not worth a stroke [mm2].
+SLIVER = 1e-3
+
+
+def buffer(shape: Region, distance: float) -> Region:
+    """Grow or shrink within 0.004 mm."""
+    step = 2 * np.arccos(1 - min(0.5, 0.004 / max(abs(distance), 1e-6)))
+    return shapely.buffer(shape, distance, quad_segs=max(4, int(np.ceil(np.pi / 2 / step))))
+
+
+def welded(shapes: Sequence[Region]) -> Region:
+    """Return the union, without the cracks that stay where edges are nearly the same."""
+    return buffer(buffer(shapely.union_all(shapes), CRACK), -CRACK)
+
+
+def largest(shape: Region) -> Polygon:
+    """Return the largest polygon of a region, counter-clockwise."""
+    return oriented(shape) if isinstance(shape, Polygon) else polygons_of(shape)[0]
+
+
+def thick_parts(shape: Region) -> NDArray[np.object_]:
+    """Return the pieces of a region, without what is as thin as a hair.
+
+    Rounding of numbers leaves hairlines along walls, which would join all corners to a frame.
+    """
+    core = buffer(shape, -HAIRLINE)
+    parts = shapely.get_parts(shapely.intersection(shape, buffer(core, 8 * HAIRLINE)))
+    return parts[shapely.area(parts) > SLIVER]
+
+
+def oriented(shape: Polygon) -> Polygon:
+    """Return `shape` with its exterior counter-clockwise and its interiors clockwise."""
+    return shapely.geometry.polygon.orient(shape)
