@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far a front may go in one step: as far as the engagement allows."""
+"""How far a front may go in one step: as far as the engagement allows.
+
+On a straight front that is the step-over, on a convex one less, because the cutter meets
+more stock there. With the cleared edge's radius ``rho = R + 1 / curvature`` the step is
+``a = R - rho - R cos(limit) + sqrt(rho^2 - R^2 sin(limit)^2)``: constant engagement on a
+growing disc, exactly.
+"""
 
 from __future__ import annotations
 

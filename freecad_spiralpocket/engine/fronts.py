@@ -3,14 +3,10 @@
 
 `C` is the set of places where the cutter's center has been (or could go without
 cutting). Its boundary moves outwards by a step that keeps the engagement angle at
-the limit: on a straight front the step-over, on a convex one less, because the
-cutter meets more stock there. With the cleared edge's radius
-``rho = R + 1 / curvature`` the step is
-``a = R - rho - R cos(limit) + sqrt(rho^2 - R^2 sin(limit)^2)``: constant
-engagement on a growing disc, exactly.
+the limit (front_rules.py).
 
 Two morphological filters keep the fronts smooth. A closing rounds reentrant
-kinks; an opening makes every front leave and join the walls tangentially. What
+kinks (closings.py); an opening makes every front leave and join the walls tangentially. What
 the opening keeps from being reached, the corners, is taken at the end, each in as
 few strokes as the limit allows. The family of laps is CS08's circular spiral
 grown to the walls, or EAS07's extended Archimedean spiral where it starts from
