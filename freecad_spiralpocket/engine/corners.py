@@ -7,6 +7,8 @@ smallest fillet whose bite the engagement allows, the last into the corner itsel
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import shapely
 from shapely import Polygon
 
@@ -26,28 +28,26 @@ LAST = 0.98
 SHARP = 0.03
 
 
-def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
-    """Return the levels that take the corners, each in as few steps as the limit allows."""
+def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Iterator[Polygon]:
+    """Yield the levels that take the corners, each in as few steps as the limit allows."""
     opened = [
         omega
         if share == 0
         else buffer(buffer(omega, -share * rules.cutter_radius), share * rules.cutter_radius)
         for share in CORNER_FILLETS
     ]
-    levels = []
     for _ in range(MAX_FRONTS):
         rest = thick_parts(shapely.difference(omega, visited))
         if len(rest) == 0:
-            break
+            return
         shapely.prepare(visited)
         pieces = [_corner_step(piece, visited, opened, rules) for piece in rest]
         grown = shapely.union_all([visited, *pieces])
         grown = oriented(largest(buffer(buffer(grown, 1e-4), -1e-4)))
         if grown.area - visited.area < 1e-4:
-            break
-        levels.append(grown)
+            return
+        yield grown
         visited = grown
-    return levels
 
 
 def _corner_step(

@@ -15,7 +15,7 @@ a curve, with the step measured by engagement instead of distance.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -165,14 +165,8 @@ ROOM = 0.6
 MAX_FRONTS = 2000
 
 
-def grow(
-    start: Polygon,
-    omega: Polygon,
-    rules: FrontRules,
-    tick: Callable[[], None],
-    most: int = MAX_FRONTS,
-) -> list[Polygon] | None:
-    """Return the visited region after the entry and after each level of laps and strokes.
+def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> Iterator[Polygon]:
+    """Yield the visited region after the entry and after each level of laps and strokes.
 
     Parameters
     ----------
@@ -180,30 +174,24 @@ def grow(
         Visited by the entry.
     omega : shapely.Polygon
         The cutter-center region.
-    tick : callable
-        Is called once a front; may raise.
-    most : int
-        Give up beyond so many.
+    rules : FrontRules
 
-    Returns
-    -------
-    list of shapely.Polygon or None
-        Nested, from `start` to where only corners are left (see `corners`); None if there would
-        be more than `most`.
+    Yields
+    ------
+    shapely.Polygon
+        Nested, from `start` to where only corners are left (see `corners`).
     """
-    fronts = [oriented(_without_idle_holes(start, omega, rules))]
+    front = oriented(_without_idle_holes(start, omega, rules))
+    yield front
     least = STALLED * rules.stepover * rules.cutter_radius
-    for _ in range(most):
-        tick()
-        grown = _without_scraps(_stretched(fronts[-1], omega, rules), fronts[-1], omega, rules)
-        if grown.area - fronts[-1].area < least:
-            grown = _through_neck(fronts[-1], omega, rules)
+    while True:
+        grown = _without_scraps(_stretched(front, omega, rules), front, omega, rules)
+        if grown.area - front.area < least:
+            grown = _through_neck(front, omega, rules)
             if grown is None:
-                break
-        fronts.append(oriented(grown))
-    if len(fronts) > most:
-        return None
-    return fronts
+                return
+        front = oriented(grown)
+        yield front
 
 
 def _stretched(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:

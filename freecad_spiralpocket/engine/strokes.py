@@ -51,14 +51,21 @@ class Stroke:
 
 def strokes_of(fronts: Sequence[Polygon]) -> list[Stroke]:
     """Return all strokes, level by level."""
-    strokes: list[Stroke] = []
-    for level in range(1, len(fronts)):
-        before, after = fronts[level - 1], fronts[level]
-        shapely.prepare(before)
-        for i, ring in enumerate((after.exterior, *after.interiors)):
-            for points, closed in _new_runs(ring, before):
-                strokes.append(Stroke(points, level, closed, i == 0))
-    return strokes
+    return [
+        stroke
+        for level in range(1, len(fronts))
+        for stroke in strokes_between(fronts[level - 1], fronts[level], level)
+    ]
+
+
+def strokes_between(before: Polygon, after: Polygon, level: int) -> list[Stroke]:
+    """Return the strokes from one front to the next."""
+    shapely.prepare(before)
+    return [
+        Stroke(points, level, closed, i == 0)
+        for i, ring in enumerate((after.exterior, *after.interiors))
+        for points, closed in _new_runs(ring, before)
+    ]
 
 
 def _new_runs(ring: shapely.LinearRing, before: Polygon) -> list[tuple[Floats, bool]]:

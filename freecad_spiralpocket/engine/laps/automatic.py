@@ -10,7 +10,8 @@ The way that takes least time on the machine is chosen: simulated, never by rule
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -22,8 +23,8 @@ from ..cleared import ClearedMap
 from ..corners import finish_corners
 from ..errors import NotYetError
 from ..floor import FloorPath, Groove, Helix, Pass
-from ..front_rules import FrontRules
-from ..fronts import MAX_FRONTS, grow
+from ..front_rules import WIDEST, FrontRules
+from ..fronts import MAX_FRONTS, STRETCH, grow
 from ..groove import groove_path
 from ..linking import Motion, link_times
 from ..machine import MIDDLING
@@ -35,7 +36,7 @@ from ..shaping import largest, oriented, thick_parts
 from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
 from ..starts import Start, candidates
-from ..strokes import Stroke, strokes_of
+from ..strokes import Stroke, strokes_between, strokes_of
 from ..timing import polyline_seconds
 from ..toolpath import Role
 
@@ -101,39 +102,98 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
 
 def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
     region = oriented(shapely.simplify(region, 0.001))
-    motion = motion_of(request)
-    best, least, fewest, most = None, math.inf, 0, MAX_FRONTS
+    motion, rules = motion_of(request), rules_of(request)
+    best, most = _Best(), MAX_FRONTS
     starts = promising(candidates(region, request), region, FEW * request.cutting.stepover)
     for i, start in enumerate(starts):
         done = partial(tick, i / len(starts))
-        rules = rules_of(request)
-        fronts = grow(start.visited, start.omega, rules, done, most)
-        if fronts is None:
+        entry = _entry_seconds(start, request, motion)
+        grown = _grown(start, rules, best, most, entry, motion, done)
+        if grown is None:
             continue
-        corners = finish_corners(fronts[-1], start.omega, rules)
-        toll = CHANNEL_TOLL if len(corners) > CORNER_LEVELS else 1.0
-        fronts += corners
+        fronts, corners = grown
+        toll = CHANNEL_TOLL if corners > CORNER_LEVELS else 1.0
         if start.within is not None:
             fronts = _with_corners(fronts, start.within, region, rules)
         most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
         strokes = strokes_of(fronts)
         # no links can make up for entry, cuts and turns back that take longer already
-        at_least = _entry_seconds(start, request, motion) + _least_seconds(strokes, motion)
-        links = sum(not s.closed for s in strokes)
-        if toll * at_least > (least if links <= fewest else (1 - TIE) * least):
+        at_least = entry + _least_seconds(strokes, motion)
+        if not best.is_beaten_by(toll * at_least, _open_strokes(strokes)):
             continue
         steps = _steps(start, fronts, strokes, region, request, motion, done)
-        seconds = toll * _seconds(start, steps, request, motion)
+        seconds = toll * (entry + _seconds(steps, request, motion))
         links = sum(step.link is None or len(step.link) > 0 for step in steps)
-        if seconds < (least if links <= fewest else (1 - TIE) * least):
-            best, least, fewest = (start, steps), seconds, links
-    if best is None:
+        if best.is_beaten_by(seconds, links):
+            best = _Best(start, steps, seconds, links)
+    if best.start is None:
         raise NotYetError(
             f"The pocket is more than {MAX_FRONTS} step-overs wide.",
             "Take a wider cutter or a larger step-over.",
         )
-    start, steps = best
-    return FloorPath(start.entry, passes_of(steps, request))
+    return FloorPath(best.start.entry, passes_of(best.steps, request))
+
+
+@dataclass(frozen=True, slots=True)
+class _Best:
+    """The fastest start so far, its steps, and how long they take [s]."""
+
+    start: Start | None = None
+    steps: Sequence[Step] = ()
+    seconds: float = math.inf
+    links: int = 0
+
+    def is_beaten_by(self, seconds: float, links: int) -> bool:
+        """Return whether a start is better that takes so long, with so many links."""
+        return seconds < (self.seconds if links <= self.links else (1 - TIE) * self.seconds)
+
+
+def _grown(
+    start: Start,
+    rules: FrontRules,
+    best: _Best,
+    most: int,
+    entry: float,
+    motion: Motion,
+    tick: Callable[[], None],
+) -> tuple[list[Polygon], int] | None:
+    """Return the fronts of a start, and how many of them only finish corners.
+
+    None once it cannot be the best. `entry` is how long its way down takes [s], `most` the number
+    of fronts beyond which there is no hope.
+    """
+    fronts: list[Polygon] = []
+    strokes: list[Stroke] = []
+    corners = 0
+    widest = WIDEST * STRETCH * rules.stepover
+    for front, is_corner in _levels(start, rules):
+        tick()
+        fronts.append(front)
+        corners += is_corner
+        if len(fronts) > most + 1:
+            return None
+        if best.start is not None and len(fronts) > 1:
+            strokes += strokes_between(fronts[-2], front, len(fronts) - 1)
+            # narrow holes need no stroke: the cutter reaches over them
+            idle = rules.cutter_radius * sum(ring.length for ring in front.interiors)
+            left = max(0.0, start.omega.area - front.area - idle) / widest / motion.cut_feed
+            at_least = entry + _least_seconds(strokes, motion) + left
+            if not best.is_beaten_by(at_least, _open_strokes(strokes)):
+                return None
+    return fronts, corners
+
+
+def _levels(start: Start, rules: FrontRules) -> Iterator[tuple[Polygon, bool]]:
+    """Yield the fronts of a start one after the other, and whether each only finishes corners."""
+    front = start.visited
+    for front in grow(start.visited, start.omega, rules):
+        yield front, False
+    for finer in finish_corners(front, start.omega, rules):
+        yield finer, True
+
+
+def _open_strokes(strokes: Sequence[Stroke]) -> int:
+    return sum(not stroke.closed for stroke in strokes)
 
 
 def _with_corners(
@@ -269,9 +329,9 @@ def _mouths(start: Start, region: Polygon, overrun: float) -> list[Floats]:
     return mouths
 
 
-def _seconds(start: Start, steps: list[Step], request: PocketRequest, motion: Motion) -> float:
-    """Return how long entry, cuts and links take, at the last level [s]."""
-    total = _entry_seconds(start, request, motion)
+def _seconds(steps: Sequence[Step], request: PocketRequest, motion: Motion) -> float:
+    """Return how long cuts and links take, at the last level [s]."""
+    total = 0.0
     for step in steps:
         total += _way_seconds(step.points, request, motion)
         if step.link is None:
@@ -313,7 +373,7 @@ def _least_seconds(strokes: list[Stroke], motion: Motion) -> float:
     return cuts + turns
 
 
-def passes_of(steps: list[Step], request: PocketRequest) -> tuple[Pass, ...]:
+def passes_of(steps: Sequence[Step], request: PocketRequest) -> tuple[Pass, ...]:
     """Return the passes of runs, with the links or lifts between them."""
     slack = SLIM * request.tolerance
     passes = []

@@ -19,6 +19,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import islice
 
 import numpy as np
 import shapely
@@ -119,13 +120,14 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
             fronts.append(oriented(shapely.simplify(visited, 0.002)))
     turns = len(fronts) - 1
     rules = rules_of(request)
-    grown = grow(fronts[-1], region, rules, partial(tick, 0.4))
-    if grown is None:
-        raise NotYetError(
-            f"More than {MAX_FRONTS} laps are left beside the spirals.",
-            "Take a wider cutter or a larger step-over.",
-        )
-    fronts += grown[1:]
+    for front in islice(grow(fronts[-1], region, rules), 1, None):
+        tick(0.4)
+        fronts.append(front)
+        if len(fronts) > turns + MAX_FRONTS:
+            raise NotYetError(
+                f"More than {MAX_FRONTS} laps are left beside the spirals.",
+                "Take a wider cutter or a larger step-over.",
+            )
     fronts += finish_corners(fronts[-1], region, rules)
     rest = [replace(s, level=s.level + turns) for s in strokes_of(fronts[turns:])]
     strokes = rest + [lap for _, lap in laps]
