@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import Polygon
+from shapely import LineString, Polygon
 
 from .filters import dilated
 from .model import Floats
@@ -43,6 +43,8 @@ class ClearedMap:
         Ground farther than this from all strokes of its level needs none [mm].
     pixel : float
         [mm]
+    ring : LineString, optional
+        Closed: along it the cutter has been, in however narrow a slot.
     """
 
     def __init__(
@@ -53,9 +55,10 @@ class ClearedMap:
         late: Sequence[Polygon],
         reach: float,
         pixel: float,
+        ring: LineString | None = None,
     ) -> None:
         x0, y0, x1, y1 = region.bounds
-        self.pixel, self.reach = pixel, reach
+        self.pixel, self.reach, self.ring = pixel, reach, ring
         self.origin = np.array([x0 - 2 * pixel, y0 - 2 * pixel])
         self.shape = (int((y1 - y0) / pixel) + 5, int((x1 - x0) / pixel) + 5)
         # the fronts are nested: who is in many of them was in early
@@ -74,9 +77,17 @@ class ClearedMap:
         idle = owner < 0
         cleared = (level <= len(fronts)) & idle & inside
         #: Within a pixel of cleared ground: strokes begin and end on the very edge of it.
-        self.near = dilated(cleared)
+        self.near = dilated(cleared | self._along(ring))
         #: Cleared ground, and beside a wall the pixel that the wall cuts through.
-        self.free = cleared | (self.near & ~inside)
+        self.free = cleared | (dilated(cleared) & ~inside)
+
+    def _along(self, ring: LineString | None) -> NDArray[np.bool_]:
+        """Return the pixels that a line runs through."""
+        through = np.zeros(self.shape, dtype=bool)
+        if ring is not None:
+            points = shapely.get_coordinates(shapely.segmentize(ring, 0.5 * self.pixel))
+            through[self.cells(points)] = True
+        return through
 
     def rasterize(self, polygon: Polygon) -> NDArray[np.bool_]:
         """Return which pixel centers are inside a polygon."""

@@ -20,7 +20,7 @@ from .cleared import ClearedMap
 from .linking import Motion, are_nervous, fine_link, hermite_links, link_times
 from .model import Floats
 from .polyline import points_at
-from .routing import route
+from .routing import back_along_ring, route
 from .shaping import Region, buffer
 from .spiral import (
     chains_of,
@@ -348,4 +348,6 @@ def _next(
         found = around(i)
         if found is not None:
             return found, i
-    return None, ready[0]
+    backs = [(i, back_along_ring(start, starts[i], cleared, fence)) for i in ready]
+    there = [(way, i) for i, way in backs if way is not None]
+    return min(there, key=lambda w: LineString(w[0]).length, default=(None, ready[0]))

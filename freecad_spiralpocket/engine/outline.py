@@ -15,14 +15,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
 from .region import polygons_of
-from .shaping import buffer, largest, oriented
+from .shaping import CRACK, Region, buffer, largest, oriented
+from .strokes import THINNEST
 
 #: The slot rounds the wall's corners with at least this radius, over R.
 ROUNDING = 0.15
+#: And with this where that would leave less than is worth a stroke of its own, but more than
+#: this [mm].
+FINE_ROUNDING, CRUMB = 0.05, 0.005
 #: Width of the ground that the slot opens for the cutter's center, over R.
 WIDTH = 0.01
 #: How far the ground outside of the wall reaches, over R: farther than any fillet or closing.
@@ -62,8 +67,7 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
         R [mm].
     """
     filled = Polygon(region.exterior)
-    rounded = buffer(buffer(filled, -ROUNDING * radius), ROUNDING * radius)
-    parts = polygons_of(shapely.intersection(rounded, filled))
+    parts = polygons_of(_rounded(filled, radius))
     if len(parts) != 1 or parts[0].interiors:
         return None
     within = shapely.intersection(parts[0], region)
@@ -80,3 +84,21 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
     )
     ring = LineString(shapely.get_coordinates(oriented(parts[0]).exterior)[::-1])
     return Outline(ring, visited, omega, oriented(within))
+
+
+def _rounded(filled: Polygon, radius: float) -> Region:
+    """Return a region without its sharp corners."""
+    wide, fine = (
+        shapely.intersection(buffer(buffer(filled, -share * radius), share * radius), filled)
+        for share in (ROUNDING, FINE_ROUNDING)
+    )
+    left = shapely.get_parts(shapely.difference(filled, wide))
+    points, piece = shapely.get_coordinates(left, return_index=True)
+    shapely.prepare(wide)
+    depths = np.zeros(len(left))
+    np.maximum.at(depths, piece, shapely.distance(wide, shapely.points(points)))
+    shallow = left[(depths > CRUMB) & (depths < THINNEST)]
+    if len(shallow) == 0:
+        return wide
+    there = buffer(shapely.union_all(shallow), CRACK)
+    return shapely.union(wide, shapely.intersection(fine, there))

@@ -19,6 +19,7 @@ from shapely import LineString, Polygon
 from .cleared import ClearedMap
 from .filters import dilated
 from .model import Floats
+from .spiral import between
 
 #: Raster pixels to a cell of the coarse grid.
 COARSE = 3
@@ -35,6 +36,8 @@ TURNS = (0.5, 1.0)
 EDGE_TOLL, OFF = 0.5, 6
 #: So much longer than it is every step counts at least.
 LEAST_TOLL = 1.0 + EDGE_TOLL / OFF
+#: What is nearer than this to the slot that the entry cut is on it [mm].
+ON_RING = 0.1
 #: Steps to the cells around one, and their lengths.
 NEIGHBORS = tuple(
     (dr, dc, math.hypot(dr, dc)) for dr in (-1, 0, 1) for dc in (-1, 0, 1) if dr or dc
@@ -68,6 +71,37 @@ def route(
         if found is not None:
             return found
     return None
+
+
+def back_along_ring(
+    start: Floats, end: Floats, cleared: ClearedMap, fence: Polygon
+) -> Floats | None:
+    """Return the way over the slot that the entry cut, the shorter way round; None if it is none.
+
+    The cutter stops and turns where it leaves and where it arrives: from the end of an arm hardly
+    wider than itself there is no other way back but to lift.
+
+    Parameters
+    ----------
+    start, end : ndarray of shape (2,)
+        [mm]
+    cleared : ClearedMap
+    fence : shapely.Polygon
+        Is not left.
+    """
+    ring = cleared.ring
+    if ring is None:
+        return None
+    off = shapely.distance(ring, shapely.points([start, end]))
+    a, b = shapely.line_locate_point(ring, shapely.points([start, end])).tolist()
+    onwards = (b - a) % ring.length
+    if onwards < ring.length / 2:
+        way = between(ring, a, onwards)
+    else:
+        way = between(ring, b, ring.length - onwards)[::-1]
+    points = np.vstack([start, way, end])
+    points = points[np.append(True, np.hypot(*np.diff(points, axis=0).T) > 1e-6)]
+    return points if off.max() < ON_RING and fence.covers(LineString(points)) else None
 
 
 def _along(

@@ -45,7 +45,8 @@ def thick_parts(shape: Region) -> NDArray[np.object_]:
 
     Rounding of numbers leaves hairlines along walls, which would join all corners to a frame.
     """
-    core = buffer(shape, -HAIRLINE)
+    # points closer together than the hairline cost a hundred times as long
+    core = buffer(shapely.simplify(shape, HAIRLINE / 10), -HAIRLINE)
     parts = shapely.get_parts(shapely.intersection(shape, buffer(core, 8 * HAIRLINE)))
     return parts[shapely.area(parts) > SLIVER]
 

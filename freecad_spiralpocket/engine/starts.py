@@ -13,6 +13,7 @@ How a pocket is opened decides elongated pockets and pockets with islands:
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -55,6 +56,8 @@ CAPPED = 0.95
 GROOVE_HALF_WIDTH = 0.08
 #: Radius of reentrant curves of the racetrack, over R; the first that leaves no post.
 ROUNDINGS = (1.0, 0.5)
+#: The same for the ring round islands.
+RINGS_ROUNDINGS = (1.0, 0.5, 0.2, 0.1)
 #: The ring keeps off the islands' walls by this [mm].
 CHORD_SLACK = 0.004
 #: Width of the smoothing of the center curve, over R.
@@ -264,11 +267,14 @@ def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:
     return largest(shapely.intersection(shape, omega))
 
 
-def leaves_no_post(visited: Polygon, request: PocketRequest) -> bool:
-    """Return whether the cutter, once round the outside of `visited`, clears all of it."""
+def leaves_no_post(
+    visited: Polygon, request: PocketRequest, islands: Sequence[Polygon] = ()
+) -> bool:
+    """Return whether the cutter, once round the outside of `visited`, clears all between islands."""
     ring = LineString(shapely.simplify(visited.exterior, 0.01).coords)
     swept = shapely.buffer(ring, request.cutter_radius, quad_segs=16)
-    return bool(shapely.difference(Polygon(visited.exterior), swept).area < 1e-3)
+    standing = shapely.difference(Polygon(visited.exterior), shapely.union_all([swept, *islands]))
+    return bool(standing.area < 1e-3)
 
 
 def _slot_start(name: str, visited: Polygon, omega: Polygon, request: PocketRequest) -> Start:
@@ -337,12 +343,16 @@ def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
     # chords of the ring cut into round islands by about so much
     islands = [buffer(Polygon(r), CHORD_SLACK) for r in region.interiors]
     bridges = _bridges(islands)
+    if not all(filled.contains(b) for b in bridges):
+        return None
     for half in HALF_WIDTHS:
         corridors = [buffer(b, half * request.tool_diameter) for b in bridges]
         shape = largest(shapely.union_all([*islands, *corridors]))
-        visited = Polygon(_rounded(shape, filled, ROUNDINGS[0] * request.cutter_radius).exterior)
-        if all(filled.contains(b) for b in bridges):
-            return _slot_start("island ring", oriented(visited), filled, request)
+        # a narrow channel between islands must not be filled: nothing would go through it
+        for rounding in RINGS_ROUNDINGS:
+            visited = Polygon(_rounded(shape, filled, rounding * request.cutter_radius).exterior)
+            if leaves_no_post(visited, request, islands):
+                return _slot_start("island ring", oriented(visited), filled, request)
     return None
 
 

@@ -283,7 +283,8 @@ def _steps(
     ]
     # about a plug's rounded corner the next lap is farther away than R
     reach = radius if start.within is None else 2 * radius
-    cleared = ClearedMap(fronts, strokes, region, late, reach, request.tool_diameter / PIXELS)
+    pixel = request.tool_diameter / PIXELS
+    cleared = ClearedMap(fronts, strokes, region, late, reach, pixel, start.ring)
     runs = runs_of(strokes, fronts, start.ring, radius, request.cutting.stepover)
     if opening:
         before, here = opening[-1].points[-2:]
