@@ -17,7 +17,7 @@ from shapely import Polygon
 
 from .front_rules import NEW, FrontRules
 from .region import polygons_of
-from .shaping import SLIVER, Region, buffer, welded
+from .shaping import SLIVER, Region, are_within, buffer, welded
 
 #: A front goes no farther than this beyond the last, over R: there the cutter reached over.
 REACHED = 0.92
@@ -96,7 +96,7 @@ def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
     )
     # the visited region is on the left
     sharp = coords[1:-1][(turns > CUSP_TURN) & same[1:] & same[:-1]]
-    if shapely.dwithin(moved, shapely.points(sharp), NEW).all():
+    if are_within(moved, sharp, NEW).all():
         return closed
     radius = CUSP * rules.cutter_radius
     return welded([buffer(buffer(closed, -radius), radius), moved])
@@ -107,17 +107,15 @@ def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRul
     holes = [sum(len(p.interiors) for p in polygons_of(shape)) for shape in (closed, moved)]
     if holes[0] < holes[1]:
         return False
-    shapely.prepare(visited)
-    points = shapely.points(shapely.get_coordinates(closed))
-    return bool(shapely.dwithin(visited, points, REACHED * rules.cutter_radius).all())
+    points = shapely.get_coordinates(closed)
+    return bool(are_within(visited, points, REACHED * rules.cutter_radius).all())
 
 
 def _new_edges(fills: NDArray[np.object_], moved: Region) -> NDArray[np.intp]:
     """Return how many new edges each fill has: none closes a hole, two join two fronts."""
     rings = shapely.segmentize(shapely.get_exterior_ring(fills), EDGE)
     coords, of = shapely.get_coordinates(rings, return_index=True)
-    shapely.prepare(moved)
-    new = ~shapely.dwithin(moved, shapely.points(coords), NEW)
+    new = ~are_within(moved, coords, NEW)
     # a ring's last point is its first
     begins = new[1:] & ~new[:-1] & (of[1:] == of[:-1])
     edges = np.bincount(of[1:][begins], minlength=len(fills))
@@ -139,13 +137,13 @@ def _are_beyond(
     """
     reach = REACHED * rules.cutter_radius
     coords, of = shapely.get_coordinates(fills, return_index=True)
-    points = shapely.points(coords)
-    shapely.prepare(visited)
-    shapely.prepare(edge)
-    lost = ~shapely.dwithin(visited, points, reach)
-    lost &= ~(corner[of] & shapely.dwithin(edge, points, reach))
-    bulge = rules.stepover + BULGE * rules.closing
-    lost |= corner[of] & ~shapely.dwithin(visited, points, bulge)
+    lost = ~are_within(visited, coords, reach)
+    regained = lost & corner[of]
+    if regained.any():
+        lost[regained] = ~shapely.dwithin(edge, shapely.points(coords[regained]), reach)
+    if corner.any():
+        bulge = rules.stepover + BULGE * rules.closing
+        lost |= corner[of] & ~are_within(visited, coords, bulge)
     beyond = np.zeros(len(fills), dtype=bool)
     beyond[of[lost]] = True
     # the middle of a wide piece may be out of reach though its rim is not

@@ -28,7 +28,7 @@ from .front_rules import NEW, FrontRules, engagement_step
 from .model import Floats
 from .polyline import points_at, simplified
 from .region import polygons_of
-from .shaping import SLIVER, Region, buffer, largest, oriented, welded
+from .shaping import SLIVER, Region, are_within, buffer, largest, oriented, welded
 from .walls import are_near_walls
 
 
@@ -222,13 +222,12 @@ def _without_scraps(grown: Polygon, visited: Polygon, omega: Polygon, rules: Fro
 
     There the fillet is nearly reached; the corner is better finished from where it is.
     """
-    shapely.prepare(visited)
     if not _may_have_scraps(grown, visited, rules):
         return grown
     pieces = shapely.get_parts(shapely.difference(grown, visited))
     coords, piece = shapely.get_coordinates(pieces, return_index=True)
     thin = np.ones(len(pieces), dtype=bool)
-    thin[piece[~shapely.dwithin(visited, shapely.points(coords), SCRAP * rules.stepover)]] = False
+    thin[piece[~are_within(visited, coords, SCRAP * rules.stepover)]] = False
     thin &= shapely.dwithin(pieces, omega.boundary, 0.02)
     if not thin.any():
         return grown
@@ -239,13 +238,13 @@ def _may_have_scraps(grown: Polygon, visited: Polygon, rules: FrontRules) -> boo
     """Return whether a run of new points along the rings stays close to `visited`; quick."""
     for ring in (grown.exterior, *grown.interiors):
         # straight walls have no points of their own between the corners
-        points = shapely.points(shapely.get_coordinates(shapely.segmentize(ring, 1.0)))
-        new = ~shapely.dwithin(visited, points, NEW)
+        points = shapely.get_coordinates(shapely.segmentize(ring, 1.0))
+        new = ~are_within(visited, points, NEW)
         if not new.any() or new.all():
             continue
         first = int(np.flatnonzero(~new)[0])
         new = np.roll(new, -first)
-        far = np.roll(~shapely.dwithin(visited, points, SCRAP * rules.stepover), -first)
+        far = np.roll(~are_within(visited, points, SCRAP * rules.stepover), -first)
         run = np.cumsum(np.diff(new.astype(np.int8), prepend=0) > 0)[new]
         if (np.bincount(run, weights=far[new])[1:] == 0).any():
             return True

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -11,6 +12,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 
+from .model import Floats
 from .region import polygons_of
 
 #: What growing and shrinking return.
@@ -28,6 +30,22 @@ def buffer(shape: Region, distance: float) -> Region:
     """Grow or shrink within 0.004 mm."""
     step = 2 * np.arccos(1 - min(0.5, 0.004 / max(abs(distance), 1e-6)))
     return shapely.buffer(shape, distance, quad_segs=max(4, int(np.ceil(np.pi / 2 / step))))
+
+
+def are_within(shape: Region, points: Floats, distance: float) -> NDArray[np.bool_]:
+    """Return which points, shape (n, 2), are within a distance of a region [mm].
+
+    The same region is asked again and again, about hundreds of points: looking them up in the grown
+    region takes a fifth of the time of measuring each.
+    """
+    return np.asarray(shapely.contains_xy(_prepared(shape, distance), points))
+
+
+@lru_cache(maxsize=16)
+def _prepared(shape: Region, distance: float) -> Region:
+    grown = buffer(shape, distance)
+    shapely.prepare(grown)
+    return grown
 
 
 def welded(shapes: Sequence[Region]) -> Region:

@@ -18,6 +18,7 @@ from shapely import Polygon
 
 from .front_rules import NEW
 from .model import Floats
+from .shaping import are_within
 
 #: Thinner strokes than this cut nothing worth a move [mm].
 THINNEST = 0.03
@@ -60,7 +61,6 @@ def strokes_of(fronts: Sequence[Polygon]) -> list[Stroke]:
 
 def strokes_between(before: Polygon, after: Polygon, level: int) -> list[Stroke]:
     """Return the strokes from one front to the next."""
-    shapely.prepare(before)
     return [
         Stroke(points, level, closed, i == 0)
         for i, ring in enumerate((after.exterior, *after.interiors))
@@ -71,24 +71,23 @@ def strokes_between(before: Polygon, after: Polygon, level: int) -> list[Stroke]
 def _new_runs(ring: shapely.LinearRing, before: Polygon) -> list[tuple[Floats, bool]]:
     """Return the parts of a ring outside of `before`, and whether each is the whole ring."""
     points = shapely.get_coordinates(shapely.segmentize(ring, CHORD))[:-1]
-    geometry = shapely.points(points)
-    new = ~shapely.dwithin(before, geometry, NEW)
+    new = ~are_within(before, points, NEW)
     if not new.any():
         return []
     step = np.hypot(*(np.roll(points, -1, axis=0) - points).T)
     if new.all():
         return [(points, True)]
     first = int(np.flatnonzero(~new)[0])  # begin in a gap
-    points, new, step = (np.roll(v, -first, axis=0) for v in (points, new, step))
-    geometry = np.roll(geometry, -first)
+    points, step = np.roll(points, -first, axis=0), np.roll(step, -first)
+    new = np.roll(new, -first)
     along = np.concatenate([[0.0], np.cumsum(step)])
     merged = _merged(new, along)
     if merged is None:
         return [(points, True)]
     kept = []
     for a, b in merged:
-        here = geometry[np.arange(a, b + 1) % len(points)]
-        if not shapely.dwithin(before, here, THINNEST).all():
+        here = points[np.arange(a, b + 1) % len(points)]
+        if not are_within(before, here, THINNEST).all():
             kept.append((_overrun(points, along, float(along[-1]), a, b), False))
     return kept
 
