@@ -17,17 +17,17 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
+from .model import Floats
 from .region import polygons_of
 from .shaping import CRACK, Region, buffer, largest, oriented
-from .strokes import THINNEST
 
 #: The slot rounds the wall's corners with at least this radius, over R.
 ROUNDING = 0.15
-#: And with this where that would leave less than is worth a stroke of its own, but more than
-#: this [mm].
-FINE_ROUNDING, CRUMB = 0.05, 0.005
+#: And with this where the first leaves more than `CRUMB`, but this no more than `DONE` [mm].
+FINE_ROUNDING, CRUMB, DONE = 0.05, 0.005, 0.01
 #: Width of the ground that the slot opens for the cutter's center, over R.
 WIDTH = 0.01
 #: How far the ground outside of the wall reaches, over R: farther than any fillet or closing.
@@ -93,12 +93,16 @@ def _rounded(filled: Polygon, radius: float) -> Region:
         for share in (ROUNDING, FINE_ROUNDING)
     )
     left = shapely.get_parts(shapely.difference(filled, wide))
-    points, piece = shapely.get_coordinates(left, return_index=True)
-    shapely.prepare(wide)
-    depths = np.zeros(len(left))
-    np.maximum.at(depths, piece, shapely.distance(wide, shapely.points(points)))
-    shallow = left[(depths > CRUMB) & (depths < THINNEST)]
-    if len(shallow) == 0:
+    blunt = left[(_depths(left, wide) > CRUMB) & (_depths(left, fine) < DONE)]
+    if len(blunt) == 0:
         return wide
-    there = buffer(shapely.union_all(shallow), CRACK)
+    there = buffer(shapely.union_all(blunt), CRACK)
     return shapely.union(wide, shapely.intersection(fine, there))
+
+
+def _depths(pieces: NDArray[np.object_], region: Region) -> Floats:
+    """Return how far pieces reach beyond a region [mm]."""
+    points, piece = shapely.get_coordinates(pieces, return_index=True)
+    depths = np.zeros(len(pieces))
+    np.maximum.at(depths, piece, shapely.distance(region, shapely.points(points)))
+    return depths
