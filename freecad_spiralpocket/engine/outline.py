@@ -24,10 +24,12 @@ from .model import Floats
 from .region import polygons_of
 from .shaping import CRACK, Region, buffer, largest, oriented
 
-#: The slot rounds the wall's corners with at least this radius, over R.
-ROUNDING = 0.15
-#: And with this where the first leaves more than `CRUMB`, but this no more than `DONE` [mm].
-FINE_ROUNDING, CRUMB, DONE = 0.05, 0.005, 0.01
+#: The slot rounds the wall's corners with at least the first of these radii, over R; with the
+#: second where the first leaves more than `CRUMB` but the second no more than `DONE` [mm]; and
+#: with the next where one leaves more than `ACUTE` [mm]: the full width of the cutter goes into
+#: that, at the full depth.
+ROUNDINGS = (0.15, 0.05, 0.02)
+CRUMB, DONE, ACUTE = 0.005, 0.01, 0.5
 #: Width of the ground that the slot opens for the cutter's center, over R.
 WIDTH = 0.01
 #: How far the ground outside of the wall reaches, over R: farther than any fillet or closing.
@@ -88,16 +90,24 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
 
 def _rounded(filled: Polygon, radius: float) -> Region:
     """Return a region without its sharp corners."""
-    wide, fine = (
+    wide, fine, finest = (
         shapely.intersection(buffer(buffer(filled, -share * radius), share * radius), filled)
-        for share in (ROUNDING, FINE_ROUNDING)
+        for share in ROUNDINGS
     )
     left = shapely.get_parts(shapely.difference(filled, wide))
-    blunt = left[(_depths(left, wide) > CRUMB) & (_depths(left, fine) < DONE)]
-    if len(blunt) == 0:
-        return wide
-    there = buffer(shapely.union_all(blunt), CRACK)
-    return shapely.union(wide, shapely.intersection(fine, there))
+    deep = _depths(left, wide)
+    is_blunt = (deep > CRUMB) & (_depths(left, fine) < DONE)
+    shape = _finer(wide, fine, left[is_blunt | (deep > ACUTE)])
+    left = shapely.get_parts(shapely.difference(filled, shape))
+    return _finer(shape, finest, left[_depths(left, shape) > ACUTE])
+
+
+def _finer(shape: Region, fine: Region, corners: NDArray[np.object_]) -> Region:
+    """Return a shape with some of its corners as in the finer one."""
+    if len(corners) == 0:
+        return shape
+    there = buffer(shapely.union_all(corners), CRACK)
+    return shapely.union(shape, shapely.intersection(fine, there))
 
 
 def _depths(pieces: NDArray[np.object_], region: Region) -> Floats:
