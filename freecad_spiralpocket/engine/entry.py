@@ -32,6 +32,8 @@ WIDEST = 0.94
 NARROWEST = 0.05
 #: The way down begins this far above the stock [mm].
 APPROACH = 0.5
+#: Slopes that differ by less are one.
+SAME_SLOPE = 1e-3
 
 
 def fit_helix_radius(region: Polygon, center: Floats, cutter_radius: float, entry: Entry) -> float:
@@ -203,15 +205,13 @@ def _cut_slot(
 def _cut_points(
     builder: ToolpathBuilder, path: Floats, angle: float, feeds: Feeds, slack: float
 ) -> None:
-    """Go down onto the first point of a path and along it, its flat parts in lines and arcs."""
+    """Go down onto the first point of a path and along it, in lines and arcs."""
     x, y, z = path[0].tolist()
     builder.line((x, y, z), feeds.vertical, Role.ENTRY)
     steep = ramp_feed(feeds, angle)
-    flat = np.abs(np.diff(path[:, 2])) < 1e-9
-    edges = np.flatnonzero(np.diff(flat)) + 1
+    steps = np.diff(path, axis=0)
+    slopes = steps[:, 2] / (np.hypot(steps[:, 0], steps[:, 1]) + 1e-12)
+    edges = np.flatnonzero(np.abs(np.diff(slopes)) > SAME_SLOPE) + 1
     for run in np.split(np.arange(1, len(path)), edges):
-        if flat[run[0] - 1]:
-            builder.along(path[run, :2], path[run[0], 2], feeds.horizontal, Role.ENTRY, slack)
-            continue
-        for x, y, z in path[run].tolist():
-            builder.line((x, y, z), steep, Role.ENTRY)
+        is_flat = abs(slopes[run[0] - 1]) < SAME_SLOPE
+        builder.along_slope(path[run], feeds.horizontal if is_flat else steep, Role.ENTRY, slack)

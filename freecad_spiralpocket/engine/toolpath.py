@@ -117,10 +117,9 @@ class Toolpath:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Way:
-    """A polyline (n, 2) at height z [mm], whose first point is where the cutter was before."""
+    """A polyline (n, 3) [mm], whose first point is where the cutter was before."""
 
     points: Floats
-    z: float
     feed: float
     role: Role
     tolerance: float
@@ -182,13 +181,20 @@ class ToolpathBuilder:
 
         They keep within `tolerance` [mm] of the polyline from here on.
         """
-        points = np.vstack([self._here[:2], points])
-        apart = np.hypot(*np.diff(points, axis=0).T) > self.SHORTEST
+        self.along_slope(np.column_stack([points, np.full(len(points), z)]), feed, role, tolerance)
+
+    def along_slope(self, points: Floats, feed: float, role: Role, tolerance: float) -> None:
+        """Move along `points`, shape (n, 3) [mm], level or of an even slope, in lines and arcs.
+
+        Seen from above they keep within `tolerance` [mm] of the polyline from here on.
+        """
+        points = np.vstack([self._here, points])
+        apart = np.hypot(*np.diff(points[:, :2], axis=0).T) > self.SHORTEST
         points = points[np.concatenate([[True], apart])]
         if len(points) < 2:
             return
-        self._entries.append(_Way(points, z, float(feed), role, tolerance))
-        self._here = np.array([*points[-1], z])
+        self._entries.append(_Way(points, float(feed), role, tolerance))
+        self._here = points[-1]
 
     def arc(
         self,
@@ -239,10 +245,10 @@ def _fitted(ways: Sequence[_Way], tolerance: float) -> tuple[Floats, NDArray[np.
     """Return the moves along polylines, shape (m, 8), and the number of the polyline of each."""
     points = np.concatenate([way.points for way in ways])
     counts = np.array([len(way.points) for way in ways])
-    pieces = fit_arcs(points, tolerance, np.cumsum(counts) - counts)
+    pieces = fit_arcs(points[:, :2], tolerance, np.cumsum(counts) - counts)
     which = np.repeat(np.arange(len(ways)), counts)[pieces.ends]
     bent = np.where(pieces.ccw, Kind.ARC_CCW, Kind.ARC_CW)
     kinds = np.where(np.isnan(pieces.centers[:, 0]), Kind.LINE, bent)
-    rest = np.array([(way.role, way.z, way.feed) for way in ways], float)[which]
-    moves = [kinds, rest[:, 0], points[pieces.ends], rest[:, 1], pieces.centers, rest[:, 2]]
+    rest = np.array([(way.role, way.feed) for way in ways], float)[which]
+    moves = [kinds, rest[:, 0], points[pieces.ends], pieces.centers, rest[:, 1]]
     return np.column_stack(moves), which
