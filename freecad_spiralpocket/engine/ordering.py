@@ -31,6 +31,7 @@ from .spiral import (
     spiral_through,
     without_air,
     zone_length,
+    zone_size,
     zones,
 )
 from .strokes import Stroke
@@ -175,21 +176,22 @@ def _spiral(
     widest = WIDEST * stepover
     if not first.exterior:
         widest = min(WIDEST_INWARDS * stepover, WITHOUT_CUSPS * radius)
-    if first.level == 1 and _begins_on(ring, laps[0], first.exterior, radius, widest):
+    size = zone_size(radius, stepover)
+    if first.level == 1 and _begins_on(ring, laps[0], first.exterior, size, widest):
         source, at = ring, np.zeros(1)
     else:
         before = fronts[first.level - 1]
         rings = [before.exterior, *before.interiors]
         sides = [LineString(shapely.get_coordinates(r)) for r in rings]
         source = sides[int(shapely.STRtree(sides).query_nearest(laps[0], all_matches=False)[0])]
-        at = np.empty(0) if first.exterior else ends_of(source, laps[0], radius, widest)
+        at = np.empty(0) if first.exterior else ends_of(source, laps[0], size, widest)
         if len(at) == 0:
-            at = zones(source, laps[0], radius, widest)
+            at = zones(source, laps[0], size, widest)
     count, here, place = 1, source, float(at[0])
     while count < len(chain) and needs[chain[count]] <= set(chain[:count]):
         place = float(laps[count - 1].project(here.interpolate(place)))
         here = laps[count - 1]
-        further = onward(here, place, laps[count], radius, widest)
+        further = onward(here, place, laps[count], size, widest)
         if further is None:
             break
         place += further
@@ -199,12 +201,12 @@ def _spiral(
     stock = None if first.exterior else _taken_by(last, fronts, radius)
 
     def way(start: float) -> Floats:
-        points = spiral_through(source, start, taken, radius, widest)
+        points = spiral_through(source, start, taken, size, widest)
         if stock is None:
             return points
         trimmed = without_air(points, stock, radius)
         if trimmed is None:
-            points = spiral_through(source, start, taken, radius, widest, LAST)
+            points = spiral_through(source, start, taken, size, widest, LAST)
             trimmed = without_air(points, stock, radius)
         return points if trimmed is None else trimmed
 

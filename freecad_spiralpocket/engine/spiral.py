@@ -25,6 +25,8 @@ from .strokes import CHORD, Stroke
 #: Length of the zone over which a lap becomes the next, over R: the way across adds its angle to
 #: the engagement.
 BLEND = 7.0
+#: A step-over wider than this over R has a longer zone, so that the way across is as flat.
+FLAT = 0.8
 #: Longest chord of a blend [mm]: round the tip of a slot it is tight.
 FINE_CHORD = 0.1
 #: It is at most this share of the shorter lap: outwards, and inwards, where more would be lost by a
@@ -88,6 +90,11 @@ def blend(lap: LineString, start: float, target: LineString, length: float) -> F
     onto = points_at(target, across % target.length)
     s = eased(u)[:, None]
     return (1 - s) * source + s * onto
+
+
+def zone_size(radius: float, stepover: float) -> float:
+    """Return what stands for R where zones between laps are laid out [mm]."""
+    return max(radius, stepover / FLAT)
 
 
 def zone_length(lap: LineString, target: LineString, radius: float) -> float:
