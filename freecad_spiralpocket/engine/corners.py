@@ -14,7 +14,7 @@ from shapely import Polygon
 
 from .front_rules import FrontRules
 from .fronts import MAX_FRONTS
-from .shaping import SLIVER, Region, buffer, largest, oriented, thick_parts
+from .shaping import SLIVER, Region, are_within, buffer, largest, oriented, thick_parts
 
 #: Fillet radii tried in the corners, over R; the smallest whose bite keeps below a share of the
 #: step-over is taken at once.
@@ -63,8 +63,9 @@ def _corner_step(
         # a fillet tighter than the corner itself leaves nothing for another stroke
         is_last = taken.area > LAST * piece.area
         limit = (last if is_last else bite) * rules.stepover
-        points = shapely.points(shapely.get_coordinates(taken))
-        if taken.area > SLIVER and shapely.dwithin(visited, points, limit).all():
+        # a channel's straight walls have no points but at its mouths
+        rim = shapely.get_coordinates(shapely.segmentize(taken, limit))
+        if taken.area > SLIVER and are_within(visited, rim, limit).all():
             return taken
     # deeper than any fillet: one ordinary step into it
     return shapely.intersection(piece, buffer(visited, bite * rules.stepover))

@@ -17,6 +17,8 @@ from .model import Floats
 
 #: Where the stock bends away from the cutter the step may be so much over the step-over.
 WIDEST = 1.15
+#: No step is wider than this over R: laps that meet would leave stock between them.
+MEETING = 0.97
 #: The front is new where it is farther than this from the region before [mm].
 NEW = 0.012
 
@@ -30,7 +32,7 @@ class FrontRules:
     cutter_radius : float
         R [mm].
     limit : float
-        Largest engagement angle [rad], in ``(0, pi)``.
+        Largest engagement angle [rad], in ``(0, pi)``; see `step_limit`.
     closing : float
         Least radius of reentrant curves [mm].
     fillet : float
@@ -48,6 +50,11 @@ class FrontRules:
         return self.cutter_radius * (1 - float(np.cos(self.limit)))
 
 
+def step_limit(engagement_limit: float) -> float:
+    """Return the engagement angle up to which fronts may make use of the limit [rad]."""
+    return min(engagement_limit, float(np.arccos(1 - MEETING)))
+
+
 def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:
     """Return the step that keeps the engagement at the limit.
 
@@ -60,11 +67,11 @@ def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:
     Returns
     -------
     ndarray of shape (n,)
-        [mm], in ``(0, WIDEST * stepover]``.
+        [mm], in ``(0, WIDEST * stepover]``, at most `MEETING` R.
     """
     r, s = rules.cutter_radius, rules.cutter_radius * np.sin(rules.limit)
     k = np.where(np.abs(curvature) < 1e-6, 1e-6, curvature)
-    widest = WIDEST * rules.stepover
+    widest = min(WIDEST * rules.stepover, MEETING * r)
     # stock that is tighter than this may be taken as deeply as anything is
     rho = np.where(k < 0, np.minimum(r + 1 / k, -s), r + 1 / k)
     root = np.sqrt(rho**2 - s**2)

@@ -23,7 +23,7 @@ from ..cleared import ClearedMap
 from ..corners import finish_corners
 from ..errors import NotYetError
 from ..floor import FloorPath, Groove, Helix, Pass
-from ..front_rules import WIDEST, FrontRules
+from ..front_rules import MEETING, WIDEST, FrontRules, step_limit
 from ..fronts import MAX_FRONTS, STRETCH, grow
 from ..groove import groove_path
 from ..linking import Motion, link_times
@@ -215,7 +215,8 @@ def _with_corners(
 def rules_of(request: PocketRequest) -> FrontRules:
     """Return what governs the growth of fronts."""
     radius, stepover = request.cutter_radius, request.cutting.stepover
-    return FrontRules(radius, request.engagement_limit, CLOSING * radius, FILLET * stepover)
+    limit = step_limit(request.engagement_limit)
+    return FrontRules(radius, limit, CLOSING * radius, FILLET * min(stepover, MEETING * radius))
 
 
 def promising(starts: list[Start], region: Polygon, near: float) -> list[Start]:

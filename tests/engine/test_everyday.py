@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Automatic on the shapes that parts have: arms, teeth, dog bones, narrow rooms, sharp tips."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+from shapely import LineString, Point, Polygon, box
+from shapely.affinity import rotate
+from shapes import request as make_request
+
+from freecad_spiralpocket.engine import plan, planner
+from freecad_spiralpocket.engine.model import Cutting, Plan, Strategy
+from freecad_spiralpocket.engine.toolpath import Kind, Role
+
+TOOTHED = shapely.union_all(
+    [Point(0, 0).buffer(28), *(rotate(box(-4, 20, 4, 38), 45 * i, (0, 0)) for i in range(8))]
+)
+DOG_BONES = shapely.union_all(
+    [
+        box(-35, -20, 35, 20),
+        *(Point(x, y).buffer(3.2, quad_segs=24) for x in (-32.74, 32.74) for y in (-17.74, 17.74)),
+    ]
+)
+#: Between the islands there is a channel hardly wider than the cutter.
+CHANNEL = (
+    box(-30, -35, 30, 35)
+    .buffer(-6)
+    .buffer(6)
+    .difference(box(-14, 3.75, 14, 16))
+    .difference(box(-14, -16, 14, -3.75))
+)
+CROSS = box(-40, -9, 40, 9).union(box(-9, -40, 9, 40))
+WEDGE = Polygon([(0, 0), (90, 0), (0, 18)])
+
+
+def petals(count: int) -> Polygon:
+    turn = np.linspace(0, 2 * np.pi, 400, endpoint=False)
+    radius = 32 + 5 * np.cos(count * turn)
+    return Polygon(np.column_stack([radius * np.cos(turn), radius * np.sin(turn)]))
+
+
+def planned(pocket: Polygon, stepover: float = 2.4) -> Plan:
+    return plan(make_request(pocket, strategy=Strategy.AUTOMATIC, cutting=Cutting(stepover)))
+
+
+def lifts(result: Plan) -> int:
+    z = np.concatenate([result.toolpath.start[2:], result.toolpath.points[:, 2]])
+    top = result.request.heights.start_depth
+    return int(((z[1:] > top) & (z[:-1] <= top)).sum())
+
+
+def test_from_the_end_of_an_arm_the_cutter_goes_back_over_its_slot():
+    result = planned(TOOTHED)
+    assert lifts(result) == 1
+    assert result.report.link_hit == 0
+
+
+def test_dog_bones_are_cut_by_the_slot_along_the_wall():
+    report = planned(DOG_BONES).report
+    assert report.uncut_area < 0.01
+    assert report.engagement_max < report.engagement_limit + math.radians(12)
+
+
+def test_channel_between_islands_is_no_full_cut_at_the_full_depth():
+    report = planned(CHANNEL).report
+    assert report.uncut_area < 0.01
+    assert report.engagement_max < report.engagement_limit + math.radians(35)
+
+
+def test_blunt_tips_are_cut_wholly():
+    assert planned(petals(9)).report.uncut_area < 0.01
+
+
+def test_sharp_tip_is_left_to_the_levels_of_the_slot():
+    report = planned(WEDGE).report
+    assert report.engagement_p99 < report.engagement_limit + math.radians(9)
+    assert report.over_limit_share < 0.003
+
+
+@pytest.mark.parametrize("stepover", [2.9, 3.6, 5.0])
+def test_laps_that_meet_leave_nothing_between_them(stepover, monkeypatch):
+    proofs = []
+    prove = planner.prove
+    monkeypatch.setattr(planner, "prove", lambda *args: proofs.append(prove(*args)) or proofs[-1])
+    planned(CROSS, stepover)
+    assert [proof.uncut_area < 0.01 for proof in proofs] == [True]
+
+
+@pytest.mark.parametrize("pocket", [petals(5), petals(9)], ids=["five", "nine"])
+def test_ramps_along_curved_walls_are_few_moves(pocket):
+    path = planned(pocket).toolpath
+    entry = (path.kinds != Kind.RAPID) & (path.roles == Role.ENTRY)
+    assert np.median(path.lengths[entry]) > 0.5
+    # what a small controller reads in a second
+    ends = np.cumsum(path.lengths / path.feeds)
+    begun = np.searchsorted(ends, ends - 1.0)
+    assert (np.arange(len(ends)) - begun).max() < 200
+
+
+def test_slot_goes_to_the_ends_of_a_narrow_room():
+    narrow = LineString([(0, 0), (40, 0), (40, 30)]).buffer(4)
+    result = planned(narrow)
+    assert result.report.uncut_area < 0.01
+    assert lifts(result) == 1
