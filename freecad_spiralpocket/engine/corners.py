@@ -63,9 +63,11 @@ def _corner_step(
         # a fillet tighter than the corner itself leaves nothing for another stroke
         is_last = taken.area > LAST * piece.area
         limit = (last if is_last else bite) * rules.stepover
-        # a channel's straight walls have no points but at its mouths
-        rim = shapely.get_coordinates(shapely.segmentize(taken, limit))
-        if taken.area > SLIVER and are_within(visited, rim, limit).all():
-            return taken
+        corners = shapely.get_coordinates(taken)
+        if taken.area > SLIVER and are_within(visited, corners, limit).all():
+            # a channel has no corners but at its mouths
+            rim = shapely.get_coordinates(shapely.segmentize(taken, rules.stepover))
+            if are_within(visited, rim, rules.stepover).all():
+                return taken
     # deeper than any fillet: one ordinary step into it
     return shapely.intersection(piece, buffer(visited, bite * rules.stepover))

@@ -21,7 +21,7 @@ from .model import Floats
 from .shaping import are_within
 
 #: Thinner strokes than this cut nothing worth a move [mm].
-THINNEST = 0.03
+THINNEST = 0.015
 #: Gaps shorter than this are cut through [mm]; a stroke begins so much early, before the rim ahead
 #: meets stock, and ends so much late [mm].
 GAP, LEAD, OVERRUN = 2.5, 0.8, 0.4

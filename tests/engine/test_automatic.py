@@ -50,7 +50,7 @@ POCKETS = {
 }
 #: Share of the cutting length whose engagement may pass 1.15 times the limit and 4 degrees.
 OVER = 0.005
-#: Share of the floor that may stay: strokes thinner than 0.03 mm are not worth a move.
+#: Share of the floor that may stay: strokes thinner than 0.015 mm are not worth a move.
 SLIVERS = 5e-5
 
 
