@@ -227,7 +227,7 @@ class _Walker:
         #: Where a core is to be opened, as near as it can be [mm].
         self.asked = asked
         #: The rings to morph through; a finishing lap is walked as it is.
-        self.rings = [node.ring for node in chain if not node.wall]
+        self.rings = [node.ring for node in chain if not node.wall] or [chain[0].ring]
         nodes = chain[: len(self.rings)]
         self.matches = [
             _match(a, b, move, PARTNERS * request.cutter_radius) for a, b in pairwise(nodes)
@@ -333,6 +333,24 @@ def _match(inner: _Node, outer: _Node, move: Mover, spacing: float) -> Match:
     return match(inner.ring, outer.ring, places, points)
 
 
+def _within(points: Floats, region: Polygon) -> Floats:
+    """Return a path whose points outside of a region are moved onto its boundary.
+
+    A lap may run a few hundredths of a millimeter into a corner that sticks out into the pocket.
+    """
+    outside = ~shapely.intersects_xy(region, points)
+    if not outside.any():
+        return points
+    rim = region.boundary
+    points = points.copy()
+    points[outside] = shapely.get_coordinates(
+        shapely.line_interpolate_point(
+            rim, shapely.line_locate_point(rim, shapely.points(points[outside]))
+        )
+    )
+    return points
+
+
 def _passes(
     steps: list[Step], walkers: list[_Walker], region: Polygon, request: PocketRequest
 ) -> list[Pass | Helix | Slot]:
@@ -350,11 +368,12 @@ def _passes(
         else:
             passes.append(Pass(simplified(step.link, slack), Role.LINK))
         if not walker.chain[-1].wall:
-            passes.append(Pass(simplified(softened(step.points, radius, soft), slack), Role.CUT))
+            cut = _within(softened(step.points, radius, soft), region)
+            passes.append(Pass(simplified(cut, slack), Role.CUT))
             continue
         spiral, lap = step.points[: -walker.last], step.points[-walker.last :]
         if len(spiral) > 1:
-            spiral = softened(spiral, radius, soft)
+            spiral = _within(softened(spiral, radius, soft), region)
             passes.append(Pass(simplified(spiral, slack), Role.CUT))
         passes.append(Pass(simplified(lap, slack), Role.FINISH))
     leave = leave_wall(steps[-1].points, region, request.cutter_radius)

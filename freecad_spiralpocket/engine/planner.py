@@ -109,7 +109,7 @@ def _start_notices(toolpath: Toolpath, request: PocketRequest) -> list[Notice]:
     if asked is None:
         return []
     cut = toolpath.points[:, 2] < request.heights.start_depth - 1e-9
-    down = toolpath.points[int(np.argmax(cut)), :2]
+    down = toolpath.starts[int(np.argmax(cut)), :2]
     off = float(np.hypot(*(down - asked)))
     if off <= request.tool_diameter:
         return []

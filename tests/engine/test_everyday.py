@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Automatic on the shapes that parts have: arms, teeth, dog bones, narrow rooms, sharp tips."""
+"""Shapes that parts have: arms, teeth, dog bones, narrow rooms, sharp tips; mostly by Automatic."""
 
 from __future__ import annotations
 
@@ -33,6 +33,8 @@ CHANNEL = (
     .difference(box(-14, 3.75, 14, 16))
     .difference(box(-14, -16, 14, -3.75))
 )
+#: The cutter just passes between the island and the wall.
+BY_THE_WALL = box(-40, -30, 40, 30).buffer(-5).buffer(5).difference(Point(0, 18).buffer(6))
 CROSS = box(-40, -9, 40, 9).union(box(-9, -40, 9, 40))
 WEDGE = Polygon([(0, 0), (90, 0), (0, 18)])
 
@@ -81,13 +83,26 @@ def test_sharp_tip_is_left_to_the_levels_of_the_slot():
     assert report.over_limit_share < 0.003
 
 
-@pytest.mark.parametrize("stepover", [2.9, 3.6, 5.0])
-def test_laps_that_meet_leave_nothing_between_them(stepover, monkeypatch):
-    proofs = []
+@pytest.fixture
+def proofs(monkeypatch):
+    """Return the reports of all proofs, also of those after which something else was planned."""
+    found = []
     prove = planner.prove
-    monkeypatch.setattr(planner, "prove", lambda *args: proofs.append(prove(*args)) or proofs[-1])
+    monkeypatch.setattr(planner, "prove", lambda *args: found.append(prove(*args)) or found[-1])
+    return found
+
+
+@pytest.mark.parametrize("stepover", [2.9, 3.6, 5.0])
+def test_laps_that_meet_leave_nothing_between_them(stepover, proofs):
     planned(CROSS, stepover)
     assert [proof.uncut_area < 0.01 for proof in proofs] == [True]
+
+
+@pytest.mark.parametrize("name", ["dog bones", "channel", "island by the wall"])
+def test_isotherms_keep_out_of_corners_that_stick_out(name, proofs):
+    pocket = {"dog bones": DOG_BONES, "channel": CHANNEL, "island by the wall": BY_THE_WALL}[name]
+    plan(make_request(pocket, strategy=Strategy.ISOTHERM))
+    assert proofs[0].gouge <= 0.01
 
 
 @pytest.mark.parametrize("pocket", [petals(5), petals(9)], ids=["five", "nine"])

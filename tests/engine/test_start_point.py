@@ -14,7 +14,8 @@ def way_down(pocket, strategy, asked, mode=CutMode.CLIMB):
     """Return how far from the start point the cutter goes down, and the plan."""
     cutting = Cutting(stepover=2.4, cut_mode=mode)
     made = plan(request(pocket, strategy=strategy, start_point=asked, cutting=cutting))
-    first = next(p for p in made.toolpath.points if p[2] < 0)
+    path = made.toolpath
+    first = path.starts[path.points[:, 2] < 0][0]
     assert made.report.uncut_area < 0.01
     assert made.report.gouge < 0.01
     assert made.report.link_hit < 0.1
