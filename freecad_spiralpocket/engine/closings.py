@@ -17,7 +17,7 @@ from shapely import Polygon
 
 from .front_rules import NEW, FrontRules
 from .region import polygons_of
-from .shaping import SLIVER, Region, are_within, buffer, welded
+from .shaping import SLIVER, Region, are_within, buffer, clipped, welded
 
 #: A front goes no farther than this beyond the last, over R: there the cutter reached over.
 REACHED = 0.92
@@ -76,7 +76,7 @@ def _closed(
     for piece in far:
         zone = buffer(piece, 0.01)
         x0, y0, x1, y1 = zone.bounds
-        near = shapely.clip_by_rect(moved, x0 - radius, y0 - radius, x1 + radius, y1 + radius)
+        near = clipped(moved, (x0 - radius, y0 - radius, x1 + radius, y1 + radius))
         finer = _closed(near, visited, omega, rules, shares[1:])
         pieces.append(shapely.intersection(finer, zone))
     return shapely.union_all(pieces)

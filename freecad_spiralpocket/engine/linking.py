@@ -188,7 +188,7 @@ def are_nervous(paths: Floats, motion: Motion) -> NDArray[np.bool_]:
 
 
 def _are_tight(bend: Floats, motion: Motion) -> NDArray[np.bool_]:
-    return np.asarray(bend.max(axis=-1) * motion.least_radius > 1)
+    return np.asarray(bend.max(axis=-1, initial=0.0) * motion.least_radius > 1)
 
 
 def _bends(paths: Floats) -> tuple[Floats, Floats]:

@@ -28,7 +28,7 @@ from .shaping import CRACK, Region, buffer, largest, oriented
 #: second where the first leaves more than `CRUMB` but the second no more than `DONE` [mm]; and
 #: with the next where one leaves more than `ACUTE` [mm]: the full width of the cutter goes into
 #: that, at the full depth.
-ROUNDINGS = (0.15, 0.05, 0.02)
+ROUNDINGS = (0.15, 0.05, 0.02, 0.002)
 CRUMB, DONE, ACUTE = 0.005, 0.01, 0.5
 #: Width of the ground that the slot opens for the cutter's center, over R.
 WIDTH = 0.01
@@ -90,16 +90,17 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
 
 def _rounded(filled: Polygon, radius: float) -> Region:
     """Return a region without its sharp corners."""
-    wide, fine, finest = (
+    wide, *finer = (
         shapely.intersection(buffer(buffer(filled, -share * radius), share * radius), filled)
         for share in ROUNDINGS
     )
     left = shapely.get_parts(shapely.difference(filled, wide))
-    deep = _depths(left, wide)
-    is_blunt = (deep > CRUMB) & (_depths(left, fine) < DONE)
-    shape = _finer(wide, fine, left[is_blunt | (deep > ACUTE)])
-    left = shapely.get_parts(shapely.difference(filled, shape))
-    return _finer(shape, finest, left[_depths(left, shape) > ACUTE])
+    blunt = (_depths(left, wide) > CRUMB) & (_depths(left, finer[0]) < DONE)
+    shape = _finer(wide, finer[0], left[blunt])
+    for fine in finer:
+        left = shapely.get_parts(shapely.difference(filled, shape))
+        shape = _finer(shape, fine, left[_depths(left, shape) > ACUTE])
+    return shape
 
 
 def _finer(shape: Region, fine: Region, corners: NDArray[np.object_]) -> Region:
@@ -111,8 +112,10 @@ def _finer(shape: Region, fine: Region, corners: NDArray[np.object_]) -> Region:
 
 
 def _depths(pieces: NDArray[np.object_], region: Region) -> Floats:
-    """Return how far pieces reach beyond a region [mm]."""
-    points, piece = shapely.get_coordinates(pieces, return_index=True)
+    """Return how far pieces reach beyond a region, infinite if that is empty [mm]."""
+    # a channel between two rooms has no corners but at its mouths
+    points, piece = shapely.get_coordinates(shapely.segmentize(pieces, ACUTE), return_index=True)
     depths = np.zeros(len(pieces))
-    np.maximum.at(depths, piece, shapely.distance(region, shapely.points(points)))
+    off = np.inf if region.is_empty else shapely.distance(region, shapely.points(points))
+    np.maximum.at(depths, piece, off)
     return depths

@@ -100,8 +100,11 @@ def back_along_ring(
     else:
         way = between(ring, b, ring.length - onwards)[::-1]
     points = np.vstack([start, way, end])
-    points = points[np.append(True, np.hypot(*np.diff(points, axis=0).T) > 1e-6)]
-    return points if off.max() < ON_RING and fence.covers(LineString(points)) else None
+    line = LineString(points[np.append(True, np.hypot(*np.diff(points, axis=0).T) > 1e-6)])
+    if off.max() > ON_RING or not fence.covers(line):
+        return None
+    # the time of a link is told from its points
+    return shapely.get_coordinates(shapely.segmentize(line, CHORD))
 
 
 def _along(

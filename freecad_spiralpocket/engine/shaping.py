@@ -29,7 +29,17 @@ SLIVER = 1e-3
 def buffer(shape: Region, distance: float) -> Region:
     """Grow or shrink within 0.004 mm."""
     step = 2 * np.arccos(1 - min(0.5, 0.004 / max(abs(distance), 1e-6)))
-    return shapely.buffer(shape, distance, quad_segs=max(4, int(np.ceil(np.pi / 2 / step))))
+    grown = shapely.buffer(shape, distance, quad_segs=max(4, int(np.ceil(np.pi / 2 / step))))
+    # once in a great while two of its parts overlap, which nothing after it bears
+    return grown if grown.is_valid else MultiPolygon(polygons_of(shapely.make_valid(grown)))
+
+
+def clipped(shape: Region, bounds: tuple[float, float, float, float]) -> Region:
+    """Return what lies in a box, given by its least and largest x and y as in `shape.bounds`."""
+    try:
+        return shapely.clip_by_rect(shape, *bounds)
+    except shapely.GEOSException:  # where the box just touches the shape
+        return shapely.intersection(shape, shapely.box(*bounds))
 
 
 def are_within(shape: Region, points: Floats, distance: float) -> NDArray[np.bool_]:

@@ -292,8 +292,8 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
         return None
     # beside a middle of the plug lap follows lap for longest, best along a straight wall
     deep = axis.nodes[axis.clearance > ROOMY * axis.clearance.max(initial=0.0)]
-    if len(deep) == 0:
-        return None
+    if len(deep) == 0:  # too narrow for an axis
+        deep = shapely.get_coordinates(outline.ring)
     zone = BLEND * request.cutter_radius
     leaves = shapely.line_locate_point(outline.ring, shapely.points(deep)) - zone / 2
     bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
