@@ -28,7 +28,7 @@ from .shaping import CRACK, Region, buffer, largest, oriented
 #: second where the first leaves more than `CRUMB` but the second no more than `DONE` [mm]; and
 #: with the next where one leaves more than `ACUTE` [mm]: the full width of the cutter goes into
 #: that, at the full depth.
-ROUNDINGS = (0.15, 0.05, 0.02, 0.002)
+ROUNDINGS = (0.15, 0.05, 0.02, 0.005, 0.002)
 CRUMB, DONE, ACUTE = 0.005, 0.01, 0.5
 #: Width of the ground that the slot opens for the cutter's center, over R.
 WIDTH = 0.01

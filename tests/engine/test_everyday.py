@@ -13,6 +13,7 @@ from shapely.affinity import rotate
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan, planner
+from freecad_spiralpocket.engine.linking import Motion, link_times
 from freecad_spiralpocket.engine.model import Cutting, Plan, Strategy
 from freecad_spiralpocket.engine.toolpath import Kind, Role
 
@@ -121,3 +122,26 @@ def test_slot_goes_to_the_ends_of_a_narrow_room():
     result = planned(narrow)
     assert result.report.uncut_area < 0.01
     assert lifts(result) == 1
+
+
+@pytest.mark.parametrize("width", [6.03, 6.1, 6.6])
+def test_channel_hardly_wider_than_the_cutter_is_cut_in_levels(width):
+    rooms = box(0, 0, 60, width).union(box(-20, -10, 0, 20)).union(box(60, -10, 80, 20))
+    result = planned(rooms)
+    report = result.report
+    assert report.uncut_area < 0.01
+    assert report.engagement_max < report.engagement_limit + math.radians(30)
+    assert lifts(result) == 1
+
+
+@pytest.mark.parametrize("width", [6.03, 6.2])
+def test_slot_hardly_wider_than_the_cutter_is_cut(width):
+    result = planned(box(0, 0, 30, width))
+    assert result.report.uncut_area < 0.01
+    assert result.report.gouge <= 0.01
+    assert lifts(result) == 1
+
+
+def test_the_time_of_a_way_of_two_points_is_told():
+    motion = Motion(acceleration=500.0, link_feed=80.0, cut_feed=50.0, least_radius=0.4)
+    assert 0.1 < link_times(np.array([[0.0, 0.0], [10.0, 0.0]]), motion) <= 0.2
