@@ -144,4 +144,4 @@ def test_slot_hardly_wider_than_the_cutter_is_cut(width):
 
 def test_the_time_of_a_way_of_two_points_is_told():
     motion = Motion(acceleration=500.0, link_feed=80.0, cut_feed=50.0, least_radius=0.4)
-    assert 0.1 < link_times(np.array([[0.0, 0.0], [10.0, 0.0]]), motion) <= 0.2
+    assert 0.1 < link_times(np.array([[0.0, 0.0], [10.0, 0.0]]), motion) < 0.21
