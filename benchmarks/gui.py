@@ -171,7 +171,7 @@ def stops():
         pump(0.5)
     widget("stepOverPercent").setValue(40)
     press(APPLY)
-    assert len(window.page.obj.Path.Commands) > 100
+    assert len(window.page.obj.Path.Commands) > 50
     window.close()
     print("stopped after " + ", ".join(f"{s:.3f}" for s in found) + " s")
     return found

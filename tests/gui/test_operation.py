@@ -70,7 +70,7 @@ def test_ok_makes_a_path_with_the_value_from_the_panel(job, floor):
     operation = only_operation(job)
     assert not is_panel_open()
     assert operation.StepOver == 25
-    assert cut_moves(operation) > 100
+    assert cut_moves(operation) > 50
     assert operation.isValid() and "Touched" not in operation.State
 
 
@@ -96,7 +96,7 @@ def test_one_undo_removes_a_new_operation_and_redo_brings_it_back(doc, job, floo
     pump()
     assert snapshot(doc).keys() == after.keys()
     assert only_operation(job).StockToLeave.Value == 0.5
-    assert cut_moves(only_operation(job)) > 100
+    assert cut_moves(only_operation(job)) > 50
 
 
 @pytest.mark.parametrize("computed", [False, True], ids=["at once", "after Apply"])
@@ -107,7 +107,7 @@ def test_cancel_removes_a_new_operation(doc, job, floor, computed):
     widget("stepOverPercent").setValue(20)
     if computed:
         press(APPLY)
-        assert cut_moves(only_operation(job)) > 100
+        assert cut_moves(only_operation(job)) > 50
     press(CANCEL)
     assert not is_panel_open()
     assert not differences(before, snapshot(doc))
@@ -252,7 +252,7 @@ def test_operation_can_be_edited_after_reopening(operation, tmp_path):
         widget("stepOverPercent").setValue(12)
         press(OK)
         assert reopened.StepOver == 12
-        assert cut_moves(reopened) > 100
+        assert cut_moves(reopened) > 50
         assert reopened.ViewObject.Proxy.getIcon().endswith("SpiralPocket.svg")
     finally:
         FreeCAD.closeDocument(document.Name)

@@ -124,7 +124,7 @@ def test_apply_takes_what_the_preview_has_proved(opened, monkeypatch):
     monkeypatch.setattr(planning.proofs, "submit", None)  # nothing is planned anew
     press(APPLY)
     assert opened.Proxy.plans[0] is plan
-    assert len(opened.Path.Commands) > 100
+    assert len(opened.Path.Commands) > 50
 
 
 def test_the_operations_own_path_is_hidden_while_the_preview_shows(opened):

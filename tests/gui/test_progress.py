@@ -67,7 +67,7 @@ def test_stop_leaves_an_empty_path_and_the_panel_open(job, floor, worker, stage)
     press_toolbar_button()
     press(APPLY)
     (operation,) = job.Operations.Group
-    assert len(operation.Path.Commands) > 100
+    assert len(operation.Path.Commands) > 50
     widget("stepOverPercent").setValue(LONG)
     stop = Stop(stage)
     with answered() as answer:
@@ -81,7 +81,7 @@ def test_stop_leaves_an_empty_path_and_the_panel_open(job, floor, worker, stage)
     assert panel().operation_page.outlook.is_stopped and not busy()
     widget("stepOverPercent").setValue(45)
     press(APPLY)
-    assert len(operation.Path.Commands) > 100
+    assert len(operation.Path.Commands) > 50
     press(CANCEL)
 
 
