@@ -22,7 +22,7 @@ from shapely import LineString, Polygon
 
 from .model import Floats
 from .region import polygons_of
-from .shaping import CRACK, Region, buffer, largest, oriented
+from .shaping import CRACK, Region, are_within, buffer, largest, oriented
 
 #: The slot rounds the wall's corners with at least the first of these radii, over R; with the
 #: second where the first leaves more than `CRUMB` but the second no more than `DONE` [mm]; and
@@ -90,16 +90,23 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
 
 def _rounded(filled: Polygon, radius: float) -> Region:
     """Return a region without its sharp corners."""
-    wide, *finer = (
-        shapely.intersection(buffer(buffer(filled, -share * radius), share * radius), filled)
-        for share in ROUNDINGS
-    )
-    left = shapely.get_parts(shapely.difference(filled, wide))
-    blunt = (_depths(left, wide) > CRUMB) & (_depths(left, finer[0]) < DONE)
-    shape = _finer(wide, finer[0], left[blunt])
-    for fine in finer:
+
+    def opened(share: float) -> Region:
+        core = buffer(filled, -share * radius)
+        return shapely.intersection(buffer(core, share * radius), filled)
+
+    widest, *finer = ROUNDINGS
+    shape = opened(widest)
+    left = shapely.get_parts(shapely.difference(filled, shape))
+    deep = _depths(left, shape)
+    for i, share in enumerate(finer):
+        if deep.max(initial=0.0) <= (CRUMB if i == 0 else ACUTE):
+            break
+        fine = opened(share)
+        blunt = (deep > CRUMB) & (_depths(left, fine) < DONE) if i == 0 else False
+        shape = _finer(shape, fine, left[blunt | (deep > ACUTE)])
         left = shapely.get_parts(shapely.difference(filled, shape))
-        shape = _finer(shape, fine, left[_depths(left, shape) > ACUTE])
+        deep = _depths(left, shape)
     return shape
 
 
@@ -112,10 +119,17 @@ def _finer(shape: Region, fine: Region, corners: NDArray[np.object_]) -> Region:
 
 
 def _depths(pieces: NDArray[np.object_], region: Region) -> Floats:
-    """Return how far pieces reach beyond a region, infinite if that is empty [mm]."""
+    """Return how far pieces reach beyond a region [mm].
+
+    Nothing if it is less than `CRUMB`, infinite if the region is empty.
+    """
     # a channel between two rooms has no corners but at its mouths
     points, piece = shapely.get_coordinates(shapely.segmentize(pieces, ACUTE), return_index=True)
+    off = np.full(len(points), np.inf)
+    if not region.is_empty:
+        near = are_within(region, points, CRUMB)
+        off[near] = 0.0
+        off[~near] = shapely.distance(region, shapely.points(points[~near]))
     depths = np.zeros(len(pieces))
-    off = np.inf if region.is_empty else shapely.distance(region, shapely.points(points))
     np.maximum.at(depths, piece, off)
     return depths
