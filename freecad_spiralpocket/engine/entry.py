@@ -32,8 +32,8 @@ WIDEST = 0.94
 NARROWEST = 0.05
 #: The way down begins this far above the stock [mm].
 APPROACH = 0.5
-#: Slopes that differ by less are one.
-SAME_SLOPE = 1e-3
+#: Slopes that differ by less than this share of the ramp's are one.
+SAME_SLOPE = 0.01
 
 
 def fit_helix_radius(region: Polygon, center: Floats, cutter_radius: float, entry: Entry) -> float:
@@ -211,7 +211,8 @@ def _cut_points(
     steep = ramp_feed(feeds, angle)
     steps = np.diff(path, axis=0)
     slopes = steps[:, 2] / (np.hypot(steps[:, 0], steps[:, 1]) + 1e-12)
-    edges = np.flatnonzero(np.abs(np.diff(slopes)) > SAME_SLOPE) + 1
+    same = SAME_SLOPE * math.tan(angle)
+    edges = np.flatnonzero(np.abs(np.diff(slopes)) > same) + 1
     for run in np.split(np.arange(1, len(path)), edges):
-        is_flat = abs(slopes[run[0] - 1]) < SAME_SLOPE
+        is_flat = abs(slopes[run[0] - 1]) < same
         builder.along_slope(path[run], feeds.horizontal if is_flat else steep, Role.ENTRY, slack)

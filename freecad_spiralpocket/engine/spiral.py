@@ -93,7 +93,7 @@ def blend(lap: LineString, start: float, target: LineString, length: float) -> F
 
 
 def zone_size(radius: float, stepover: float) -> float:
-    """Return what stands for R where zones between laps are laid out [mm]."""
+    """Return what stands for R, as `radius`, where zones between laps are laid out [mm]."""
     return max(radius, stepover / FLAT)
 
 
@@ -181,7 +181,7 @@ def spiral_through(
     laps : sequence of LineString
         Closed, each beside the one before, in the same direction.
     radius : float
-        R [mm].
+        See `zone_size` [mm].
     widest : float, optional
         A lap goes on until the next is so near [mm].
     whole : int, optional

@@ -57,7 +57,7 @@ GROOVE_HALF_WIDTH = 0.08
 #: Radius of reentrant curves of the racetrack, over R; the first that leaves no post.
 ROUNDINGS = (1.0, 0.5)
 #: The same for the ring round islands.
-RINGS_ROUNDINGS = (1.0, 0.5, 0.2, 0.1)
+RING_ROUNDINGS = (1.0, 0.5, 0.2, 0.1)
 #: The ring keeps off the islands' walls by this [mm].
 CHORD_SLACK = 0.004
 #: Width of the smoothing of the center curve, over R.
@@ -349,7 +349,7 @@ def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
         corridors = [buffer(b, half * request.tool_diameter) for b in bridges]
         shape = largest(shapely.union_all([*islands, *corridors]))
         # a narrow channel between islands must not be filled: nothing would go through it
-        for rounding in RINGS_ROUNDINGS:
+        for rounding in RING_ROUNDINGS:
             visited = Polygon(_rounded(shape, filled, rounding * request.cutter_radius).exterior)
             if leaves_no_post(visited, request, islands):
                 return _slot_start("island ring", oriented(visited), filled, request)

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 from hypothesis import strategies as st
 from shapely import Point, Polygon, box
 
-from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
+from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, Plan, PocketRequest
 
 HEIGHTS = Heights(
     clearance=8.0, safe=3.0, start_depth=0.0, final_depth=-5.0, step_down=6.0, finish_depth=0.0
@@ -49,6 +50,13 @@ def request(pocket: Polygon, **changes) -> PocketRequest:
     }
     values.update(changes)
     return PocketRequest(**values)
+
+
+def lifts(result: Plan) -> int:
+    """Return how often the cutter leaves the stock."""
+    z = np.concatenate([result.toolpath.start[2:], result.toolpath.points[:, 2]])
+    top = result.request.heights.start_depth
+    return int(((z[1:] > top) & (z[:-1] <= top)).sum())
 
 
 @st.composite

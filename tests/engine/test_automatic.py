@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, Phase, given, settings
 from shapely import LineString, Point, Polygon, box
 from shapely.affinity import rotate, translate
 from shapely.geometry.polygon import orient
-from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TRIANGLE, convex_pockets
+from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TRIANGLE, convex_pockets, lifts
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
@@ -56,13 +56,6 @@ SLIVERS = 5e-5
 
 def automatic(pocket: Polygon, **changes) -> Plan:
     return plan(make_request(pocket, strategy=Strategy.AUTOMATIC, **changes))
-
-
-def lifts(result: Plan) -> int:
-    """Return how often the cutter leaves the stock."""
-    z = np.concatenate([result.toolpath.start[2:], result.toolpath.points[:, 2]])
-    top = result.request.heights.start_depth
-    return int(((z[1:] > top) & (z[:-1] <= top)).sum())
 
 
 @pytest.mark.parametrize("name", POCKETS)

@@ -10,6 +10,7 @@ import pytest
 import shapely
 from shapely import LineString, Point, Polygon, box
 from shapely.affinity import rotate
+from shapes import lifts
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan, planner
@@ -48,12 +49,6 @@ def petals(count: int) -> Polygon:
 
 def planned(pocket: Polygon, stepover: float = 2.4) -> Plan:
     return plan(make_request(pocket, strategy=Strategy.AUTOMATIC, cutting=Cutting(stepover)))
-
-
-def lifts(result: Plan) -> int:
-    z = np.concatenate([result.toolpath.start[2:], result.toolpath.points[:, 2]])
-    top = result.request.heights.start_depth
-    return int(((z[1:] > top) & (z[:-1] <= top)).sum())
 
 
 def test_from_the_end_of_an_arm_the_cutter_goes_back_over_its_slot():
