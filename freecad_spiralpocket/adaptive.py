@@ -51,6 +51,7 @@ def plan_adaptive(request: PocketRequest) -> Plan:
         request.cutter_radius,
         axial_depth=request.axial_depth,
         top=request.heights.start_depth,
+        stock=request.stock,
     )
     report = prove(request, toolpath, engagement)
     return Plan(request, toolpath, replace(report, time=time_of(toolpath, request.machine).total))
@@ -73,7 +74,7 @@ def _regions(request: PocketRequest) -> Sequence[Any]:
     clearing.forceInsideOut = False
     clearing.finishingProfile = True
     clearing.opType = area.AdaptiveOperationType.ClearingInside
-    stock = shapely.box(*pocket.bounds).buffer(AROUND, join_style="mitre")
+    stock = request.stock or shapely.box(*pocket.bounds).buffer(AROUND, join_style="mitre")
     rings = [pocket.exterior, *pocket.interiors]
     found = clearing.Execute([_ring(stock.exterior)], [_ring(r) for r in rings], lambda _: False)
     if not found or not found[0].AdaptivePaths:

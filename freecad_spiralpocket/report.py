@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from shapely import Polygon
 
 from . import gcode, machines
 from .engine.errors import RequestError, SetupError, SpiralPocketError
@@ -44,6 +45,7 @@ class _Source:
     axial_depth: float | None = None
     top: float | None = None
     stepover: float | None = None
+    stock: Polygon | None = None
 
 
 def parser() -> argparse.ArgumentParser:
@@ -183,6 +185,7 @@ def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
         spindle_speed=pick("spindle_speed", SPINDLE_SPEED / 60),
         axial_depth=depth,
         top=top,
+        stock=getattr(source, "stock", None),
         engagement_limit=limit,
         climb=not args.conventional,
     )
@@ -244,7 +247,17 @@ def _from_operation(op: Any) -> _Source:
         axial_depth=min(start - final, step_down),
         top=start,
         stepover=_stepover(op, diameter),
+        stock=_stock(op),
     )
+
+
+def _stock(op: Any) -> Polygon | None:
+    """Return the outline of the stock of an operation's job."""
+    from .op.compat import parent_job
+    from .op.open_sides import outline_of_stock
+
+    job = parent_job(op)
+    return None if job is None else outline_of_stock(job.Stock.Shape)
 
 
 def _stepover(op: Any, diameter: float) -> float | None:

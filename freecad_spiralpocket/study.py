@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from shapely import Polygon
 
 from .engine import analysis
 from .engine.engagement import Engagement, along_path
@@ -36,6 +37,8 @@ class Setup:
         Of a full cut [mm].
     top : float
         Z of the top of the stock [mm].
+    stock : shapely.Polygon or None
+        Its outline; None: it is everywhere.
     engagement_limit : float
         [rad]; nan where none is known.
     climb : bool
@@ -47,6 +50,7 @@ class Setup:
     spindle_speed: float
     axial_depth: float
     top: float = 0.0
+    stock: Polygon | None = None
     engagement_limit: float = np.nan
     climb: bool = True
 
@@ -72,6 +76,7 @@ class Study:
             setup.cutter.diameter / 2,
             axial_depth=setup.axial_depth,
             top=setup.top,
+            stock=setup.stock,
         )
 
     @cached_property

@@ -113,8 +113,10 @@ def areas_of(plan: Plan) -> Areas:
     request, uncut = plan.request, plan.report.uncut
     radius, stock = request.cutter_radius, request.cutting.stock_to_leave
     reach = reachable_floor(request.pocket, radius, stock)
-    cleared = shapely.difference(reach, uncut)
     wanted = request.pocket.buffer(-stock) if stock else request.pocket
+    if request.stock is not None:
+        reach, wanted = (shapely.intersection(area, request.stock) for area in (reach, wanted))
+    cleared = shapely.difference(reach, uncut)
     left = shapely.get_parts(shapely.difference(wanted, cleared))
     left = left[shapely.area(left) > TOLD_LEFT * np.pi * radius**2]
     islands = [Polygon(ring) for ring in request.pocket.interiors]

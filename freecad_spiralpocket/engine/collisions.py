@@ -12,7 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from shapely import Polygon
 
+from .air import are_in_stock
 from .distances import point_to_piece
 from .engagement import Engagement
 from .model import Floats
@@ -52,7 +54,9 @@ def hits_along(engagement: Engagement, chosen: NDArray[np.bool_], slack: float) 
     return Hit(float(engagement.lengths[through].sum()), (float(x), float(y)), moves)
 
 
-def rapid_plunges(pieces: Pieces, cutter_radius: float, slack: float) -> Hit:
+def rapid_plunges(
+    pieces: Pieces, cutter_radius: float, slack: float, stock: Polygon | None = None
+) -> Hit:
     """Return how far rapids go straight down into stock.
 
     Parameters
@@ -60,12 +64,15 @@ def rapid_plunges(pieces: Pieces, cutter_radius: float, slack: float) -> Hit:
     pieces : Pieces
     cutter_radius, slack : float
         What stands within `slack` of the cutter's edge does not count [mm].
+    stock : shapely.Polygon, optional
+        Its outline; by default it is everywhere.
     """
     down = pieces.rapid & (pieces.lengths == 0) & (pieces.bottoms[:, 1] < pieces.bottoms[:, 0])
     disc = disc_points(cutter_radius - slack)
     length, place, moves = 0.0, None, set()
     for i in np.flatnonzero(down):
-        if not _is_cleared(pieces, int(i), disc, cutter_radius):
+        standing = disc[are_in_stock(disc + pieces.ends[i], stock)]
+        if not _is_cleared(pieces, int(i), standing, cutter_radius):
             length += float(pieces.bottoms[i, 0] - pieces.bottoms[i, 1])
             place = place or (float(pieces.ends[i, 0]), float(pieces.ends[i, 1]))
             moves.add(int(pieces.moves[i]))
@@ -80,7 +87,7 @@ def disc_points(radius: float) -> Floats:
 
 
 def _is_cleared(pieces: Pieces, i: int, disc: Floats, r: float) -> bool:
-    """Return whether motion before piece `i` has cleared the cutter's disc at its end."""
+    """Return whether motion before piece `i` has cleared these points of the disc at its end."""
     floor = pieces.bottoms[i, 1]
     index = np.flatnonzero(~pieces.rapid[:i] & (pieces.heights[:i] <= floor + SAME_HEIGHT))
     end = pieces.ends[i]

@@ -14,17 +14,19 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from shapely import Polygon
-from shapely.affinity import scale
 
 from .checks import check_request
+from .floor import Plunge
 from .front_rules import FrontRules, engagement_step
 from .fronts import ROOM, STALLED
 from .laps import automatic
+from .mirroring import mirrored, mirrored_request
 from .model import CutMode, Floats, PocketRequest
+from .open_sides import needed, starts_of
 from .outline import outline_of
 from .region import center_regions
 from .shaping import largest, oriented
-from .starts import candidates, island_ring
+from .starts import island_ring
 
 #: Outlines are coarse by this much, over R; chords in a quarter circle.
 COARSE, QUADRANT = 0.02, 4
@@ -89,11 +91,15 @@ def openings(request: PocketRequest) -> list[Opening]:
     """
     check_request(request)
     found = []
-    for region in _regions(request):
-        starts = candidates(region, request)
+    regions = _regions(request)
+    if request.cutting.cut_mode is CutMode.CONVENTIONAL:
+        request = mirrored_request(request)
+    for region in regions:
+        starts = starts_of(region, request)
         near = automatic.FEW * request.cutting.stepover
-        start = automatic.promising(starts, region, near)[0]
-        walls = start.omega if start.within is None else region
+        start, within = automatic.promising(starts, needed(region, request), near)[0]
+        reaches_out = start.within is not None or isinstance(start.entry, Plunge)
+        walls = within if reaches_out else start.omega
         ring = shapely.get_coordinates(start.ring)
         found.append(Opening(start.name, start.visited, start.omega, walls, ring))
     return found
@@ -135,10 +141,10 @@ def _moved(opening: Opening, region: Polygon, request: PocketRequest) -> Opening
 
 def _regions(request: PocketRequest) -> list[Polygon]:
     """Return where the cutter's center may be, mirrored for conventional milling."""
-    mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
+    is_mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
     stock = request.cutting.stock_to_leave
     regions = center_regions(request.pocket, request.cutter_radius, stock)
-    return [oriented(shapely.simplify(_mirrored(r) if mirrored else r, 0.001)) for r in regions]
+    return [oriented(shapely.simplify(mirrored(r) if is_mirrored else r, 0.001)) for r in regions]
 
 
 def draft(request: PocketRequest, opened: list[Opening] | None = None) -> Draft:
@@ -207,7 +213,3 @@ def _lines(shape: shapely.Geometry) -> list[Floats]:
         shapely.line_merge(shape) if shape.geom_type[:5] == "Multi" else shape
     )
     return [shapely.get_coordinates(part) for part in parts if part.length > 0]
-
-
-def _mirrored(region: Polygon) -> Polygon:
-    return oriented(scale(region, -1.0, 1.0, origin=(0.0, 0.0)))

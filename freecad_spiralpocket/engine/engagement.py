@@ -8,7 +8,7 @@ places of measurement are sampled, closer where the angle changes (`sampling`).
 
 Axial depth: a rim point counts with the share of a full axial depth that still stands
 there, so a slot opened in shallow steps counts as shallow. Outside the cleared ground
-everything is solid up to the top: a closed pocket.
+everything is solid up to the top, as far as the stock reaches.
 
 Cost: a sample has hundreds of earlier pieces within two radii, most of them under
 ground that nearer ones have cleared too. So the nearest are measured first, and of
@@ -21,7 +21,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from shapely import Polygon
 
+from .air import intervals_in_air
 from .axial import standing_share
 from .gaps import Gaps, standing
 from .levels_alike import find_twins
@@ -90,6 +92,7 @@ def along_path(
     *,
     axial_depth: float,
     top: float = 0.0,
+    stock: Polygon | None = None,
     spacing: float | None = None,
 ) -> Engagement:
     """Measure the engagement of all moves below the top of the stock, rapids too.
@@ -104,6 +107,8 @@ def along_path(
         where that is less.
     top : float
         Z of the top of the stock [mm].
+    stock : shapely.Polygon, optional
+        Its outline, convex [mm]; by default it is everywhere.
     spacing : float, optional
         Largest distance of samples [mm], by default a fifth of the radius. Where neighbors
         differ by more than 3 degrees they come as close as a quarter of this.
@@ -128,11 +133,11 @@ def along_path(
             raise ValueError(f"{name} must be positive, got {value}")
     pieces = cut_into_pieces(toolpath, cutter_radius, top, axial_depth)
     samples = take_samples(pieces, cutter_radius, spacing)
-    measured = _measure(samples, pieces, cutter_radius, axial_depth, top)
+    measured = _measure(samples, pieces, cutter_radius, axial_depth, top, stock)
     for halving in range(1, HALVINGS + 1):
         apart = 0.75 * spacing / 2**halving
         more = between(pieces, samples, measured[0], cutter_radius, JUMP, apart)
-        added = _measure(more, pieces, cutter_radius, axial_depth, top)
+        added = _measure(more, pieces, cutter_radius, axial_depth, top, stock)
         order = merge_order(samples, more)
         samples = merged(samples, more, order)
         measured = np.concatenate([measured, added], axis=1)[:, order]
@@ -145,12 +150,14 @@ def along_path(
         axial_depths=axial_depth * np.divide(load, bare, out=np.zeros_like(load), where=bare > 0),
         bites=bites,
         lengths=samples.lengths,
-        solid_arrivals=_solid_arrivals(samples, pieces, cutter_radius),
+        solid_arrivals=_solid_arrivals(samples, pieces, cutter_radius, stock),
         moves=pieces.moves[samples.pieces],
     )
 
 
-def _solid_arrivals(samples: Samples, pieces: Pieces, r: float) -> NDArray[np.bool_]:
+def _solid_arrivals(
+    samples: Samples, pieces: Pieces, r: float, stock: Polygon | None
+) -> NDArray[np.bool_]:
     """Return where level motion begins with nearly all of the rim in uncleared ground."""
     level = pieces.is_level[samples.pieces] & ~pieces.rapid[samples.pieces]
     climbs = np.cumsum(~pieces.is_level | (pieces.lengths == 0))[samples.pieces]
@@ -158,20 +165,28 @@ def _solid_arrivals(samples: Samples, pieces: Pieces, r: float) -> NDArray[np.bo
     arrivals = np.flatnonzero(fresh)
     # the plunge that brought the cutter here does not count
     undrilled = replace(pieces, heights=pieces.bottoms.max(axis=1))
-    around = uncleared(samples.select(arrivals), undrilled, r, np.pi).angles(len(arrivals))
+    around = uncleared(samples.select(arrivals), undrilled, r, np.pi, stock).angles(len(arrivals))
     solid = np.zeros(len(samples), bool)
     solid[arrivals[around > SOLID]] = True
     return solid
 
 
-def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float) -> Floats:
+def _measure(
+    samples: Samples,
+    pieces: Pieces,
+    r: float,
+    axial_depth: float,
+    top: float,
+    stock: Polygon | None,
+) -> Floats:
     """Return weighted angles, chips, radial depths [mm], bare angles and bites [mm]; [rad]."""
     n = len(samples)
     if n == 0:
         return np.zeros((5, 0))
     twins = find_twins(samples, pieces)
     new = twins == np.arange(n)
-    gaps = uncleared(samples.select(new), pieces, r).repeated(np.cumsum(new)[twins] - 1)
+    gaps = uncleared(samples.select(new), pieces, r, stock=stock)
+    gaps = gaps.repeated(np.cumsum(new)[twins] - 1)
     shares = []
     for first in range(0, n, PORTION):
         some = np.arange(first, min(first + PORTION, n))
@@ -181,8 +196,14 @@ def _measure(samples: Samples, pieces: Pieces, r: float, axial_depth: float, top
     return np.stack([load, gaps.foremost(n), gaps.widths(n, r), gaps.angles(n), bites])
 
 
-def uncleared(samples: Samples, pieces: Pieces, r: float, half: float = np.pi / 2) -> Gaps:
-    """Return what no earlier piece has cleared down to the height of the cutter.
+def uncleared(
+    samples: Samples,
+    pieces: Pieces,
+    r: float,
+    half: float = np.pi / 2,
+    stock: Polygon | None = None,
+) -> Gaps:
+    """Return what of the stock no earlier piece has cleared down to the height of the cutter.
 
     Parameters
     ----------
@@ -192,9 +213,15 @@ def uncleared(samples: Samples, pieces: Pieces, r: float, half: float = np.pi / 
         Cutter radius [mm].
     half : float
         ``pi / 2`` for the leading half of the rim, ``pi`` for all of it.
+    stock : shapely.Polygon, optional
+        Its outline, convex [mm]; by default it is everywhere.
     """
     hoods = neighborhoods(samples, pieces, r)
-    return Gaps.joined([_uncleared_here(hood, samples, r, half) for hood in hoods])
+    gaps = Gaps.joined([_uncleared_here(hood, samples, r, half) for hood in hoods])
+    if stock is None:
+        return gaps
+    in_air = intervals_in_air(samples.points[:, :2], samples.headings, stock, r)
+    return gaps.without(*in_air, half)
 
 
 def _uncleared_here(hood: Neighbors, samples: Samples, r: float, half: float) -> Gaps:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The way down into solid stock: a helix, or a slot opened in shallow levels.
+"""The way down: a helix or a slot opened in shallow levels, or straight down beside the stock.
 
 The helix' circle is at most as wide as the cutter's radius, so that no post
 remains in the middle; as wide as fits otherwise, because a wide helix sinks more
@@ -20,7 +20,7 @@ import numpy as np
 from shapely import LineString, Point, Polygon
 
 from .errors import CutterDoesNotFitError
-from .floor import Groove, Helix, Slot
+from .floor import Groove, Helix, Plunge, Slot, WayDown
 from .groove import groove_path
 from .model import Entry, Feeds, Floats, PocketRequest
 from .polyline import points_at
@@ -74,12 +74,14 @@ def ramp_feed(feeds: Feeds, angle: float) -> float:
     return min(feeds.horizontal, feeds.vertical / math.sin(angle))
 
 
-def entry_start(entry: Helix | Slot | Groove, angle: float, top: float, bottom: float) -> Floats:
+def entry_start(entry: WayDown, angle: float, top: float, bottom: float) -> Floats:
     """Return above which place the entry from `top` to `bottom` begins, (x, y) [mm]."""
     if isinstance(entry, Helix):
         return _on_circle(entry, entry.start_angle - _helix_sweep(entry, angle, top, bottom))
     if isinstance(entry, Groove):
         return groove_path(entry, angle, top, bottom)[0, :2]
+    if isinstance(entry, Plunge):
+        return entry.place
     ring = _closed(entry.ring)
     ramp = _slot_ramp(entry, angle, top, bottom)
     return np.array(ring.interpolate(-ramp % ring.length).coords[0])
@@ -108,7 +110,7 @@ def _slot_ramp(slot: Slot, angle: float, top: float, bottom: float) -> float:
 
 def cut_entry(
     builder: ToolpathBuilder,
-    entry: Helix | Slot | Groove,
+    entry: WayDown,
     angle: float,
     top: float,
     bottom: float,
@@ -123,6 +125,9 @@ def cut_entry(
         _cut_helix(builder, entry, angle, top, bottom, feeds)
     elif isinstance(entry, Groove):
         _cut_points(builder, groove_path(entry, angle, top, bottom), angle, feeds, slack)
+    elif isinstance(entry, Plunge):
+        builder.rapid(feeds.vertical_rapid, z=min(bottom + APPROACH, builder.here[2]))
+        builder.line((*entry.place, bottom), feeds.vertical, Role.ENTRY)
     else:
         _cut_slot(builder, entry, angle, top, bottom, feeds, slack)
 

@@ -8,6 +8,7 @@ how deep the level is. It is for climb milling, outwards counter-clockwise.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from .model import Floats, SplineCurve
 from .toolpath import Role
@@ -76,6 +77,19 @@ class Groove:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Plunge:
+    """An entry straight down in the air beside the stock.
+
+    Attributes
+    ----------
+    place : ndarray of shape (2,)
+        [mm]
+    """
+
+    place: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Pass:
     """One uninterrupted motion at the floor.
 
@@ -91,20 +105,24 @@ class Pass:
     role: Role
 
 
+#: Ways down to the floor.
+WayDown: TypeAlias = Helix | Slot | Groove | Plunge
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class FloorPath:
     """All motion in one region at one level.
 
     Attributes
     ----------
-    entry : Helix, Slot or Groove
-    passes : tuple of Pass, Helix, Slot or Groove
-        In order, the first from the end of the entry. An entry among them: lift, go over, and
-        down into solid stock there.
+    entry : WayDown
+    passes : tuple of Pass or WayDown
+        In order, the first from the end of the entry. A way down among them: lift, go over, and
+        down there.
     curve : SplineCurve or None
         The exact curve behind the spiral, where the strategy has one.
     """
 
-    entry: Helix | Slot | Groove
-    passes: tuple[Pass | Helix | Slot | Groove, ...]
+    entry: WayDown
+    passes: tuple[Pass | WayDown, ...]
     curve: SplineCurve | None = None

@@ -204,6 +204,9 @@ class PocketRequest:
         On which machine the time is to be least; None for a middling one.
     start_point : tuple of float or None
         Where the cutter shall go down, (x, y) [mm], as near as it can; None: where it is best.
+    stock : shapely.Polygon or None
+        Outline of the stock, convex [mm]; beyond it is air, where the pocket may reach to: at
+        open sides. None: there is stock everywhere.
     sections : tuple of Section
         The levels from the top down, where walls are slanted or stepped; the last is the floor
         with `pocket` itself. Empty for vertical walls: then the heights give the levels.
@@ -220,6 +223,7 @@ class PocketRequest:
     feed_plan: FeedPlan = FeedPlan()
     machine: Machine | None = None
     start_point: tuple[float, float] | None = None
+    stock: Polygon | None = None
     sections: tuple[Section, ...] = ()
 
     @property

@@ -14,7 +14,8 @@ from functools import partial
 
 import numpy as np
 import shapely
-from shapely import LineString, Polygon
+from shapely import LineString, Point, Polygon
+from shapely.ops import substring
 
 from .cleared import ClearedMap
 from .linking import Motion, are_nervous, fine_link, hermite_links, link_times
@@ -58,6 +59,10 @@ CHECKED = 160
 FINE = 193
 #: A run that begins so near to where the last one ended needs no link [mm]; it would be a hairpin.
 TOUCHES = 0.03
+#: A stroke that begins so far behind, on the way that the cutter has come, is gone on with [mm]:
+#: a lead and an overrun; onto it within so much, where its direction differs by no more than has
+#: this cosine.
+OVERLAP, ONTO, ONWARD = 1.3, 0.3, 0.98
 #: A link that may not leave the region may still do so by this much [mm].
 SLACK = 0.003
 
@@ -275,26 +280,26 @@ def order(
     starts = np.concatenate([r.starts for r in runs])
     headings = np.concatenate([r.headings for r in runs])
     ways = [(i, way) for i, run in enumerate(runs) for way in run.ways]
+    is_single = [len(runs[i].strokes) == 1 for i, _ in ways]
     waiting = [set(r.needs) for r in runs]
     open_runs = set(range(len(runs)))
     steps = []
     while open_runs:
         tick()
         ready = [w for w, (i, _) in enumerate(ways) if i in open_runs and not waiting[i]]
-        near = np.argsort(np.hypot(*(starts[ready] - start).T), kind="stable")
-        link, taken = _next(
-            start,
-            heading,
-            [ready[i] for i in near],
-            starts,
-            headings,
-            cleared,
-            fence,
-            motion,
-            radius,
-        )
-        chosen, way = ways[taken]
-        points = way()
+        away = np.hypot(*(starts[ready] - start).T)
+        near = np.argsort(away, kind="stable")
+        nearest_first = [ready[i] for i in near]
+        behind = [w for w in nearest_first[: np.count_nonzero(away < OVERLAP)] if is_single[w]]
+        found = _going_on(behind, ways, start, heading)
+        if found is None:
+            link, taken = _next(
+                start, heading, nearest_first, starts, headings, cleared, fence, motion, radius
+            )
+            chosen, way = ways[taken]
+            points = way()
+        else:
+            link, (chosen, points) = np.empty((0, 2)), found
         steps.append(Step(link, points, chosen))
         open_runs.remove(chosen)
         for needs in waiting:
@@ -303,6 +308,34 @@ def order(
             cleared.finish(stroke)
         start, heading = points[-1], _unit(points[-1] - points[-2])
     return steps
+
+
+def _going_on(
+    behind: Sequence[int],
+    ways: Sequence[tuple[int, Callable[[], Floats]]],
+    here: Floats,
+    heading: Floats,
+) -> tuple[int, Floats] | None:
+    """Return the first of the ways that leads on from here, its run and the rest of it, or None."""
+    for w in behind:
+        run, way = ways[w]
+        rest = _from_here(way(), here, heading)
+        if rest is not None:
+            return run, rest
+    return None
+
+
+def _from_here(points: Floats, here: Floats, heading: Floats) -> Floats | None:
+    """Return a stroke from a place on its beginning onwards; None where that is not on it.
+
+    Strokes begin before the stock does, so that one may begin behind the end of the one before.
+    """
+    line = LineString(points)
+    at = float(line.project(Point(here)))
+    if at > OVERLAP or line.distance(Point(here)) > TOUCHES or at > line.length - OVERLAP:
+        return None
+    rest = np.vstack([here, shapely.get_coordinates(substring(line, at + ONTO, line.length))])
+    return rest if _unit(rest[1] - rest[0]) @ heading > ONWARD else None
 
 
 def _unit(v: Floats) -> Floats:

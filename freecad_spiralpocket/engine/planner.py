@@ -16,8 +16,6 @@ from importlib import import_module
 
 import numpy as np
 from shapely import Polygon
-from shapely.affinity import scale
-from shapely.geometry.polygon import orient
 
 from .checks import check_request
 from .dependencies import require_libraries
@@ -27,6 +25,7 @@ from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
 from .levels import levels_of
 from .machine import MIDDLING
+from .mirroring import mirrored, mirrored_request
 from .model import (
     CutMode,
     Notice,
@@ -37,6 +36,7 @@ from .model import (
     Strategy,
     Tick,
 )
+from .open_sides import needed
 from .rendering import Cut, render
 from .repair import Proved, badness, repaired
 from .rooms import Room, rooms_of
@@ -180,6 +180,7 @@ def _with_feeds(toolpath: Toolpath, request: PocketRequest) -> tuple[Toolpath, E
         request.cutter_radius,
         axial_depth=request.axial_depth,
         top=request.heights.start_depth,
+        stock=request.stock,
     )
     rules = FeedRules(
         mode=wanted.mode,
@@ -243,17 +244,19 @@ def _floor_path(
     region: Polygon, request: PocketRequest, tick: Tick
 ) -> FloorPath | SpiralPocketError:
     """Return the path of one region, or what is the matter with it."""
-    mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
+    is_mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
     strategy = _STRATEGIES[request.strategy]
     tick(0.0)
-    if mirrored:
-        region, request = _mirrored(region), _with_mirrored_start(request)
+    if is_mirrored:
+        region, request = mirrored(region), mirrored_request(request)
+    if request.strategy is not Strategy.AUTOMATIC:
+        region = needed(region, request)
     try:
         return strategy(region, request, tick)
     except CancelledError:
         raise
     except SpiralPocketError as error:
-        if mirrored and error.place is not None:
+        if is_mirrored and error.place is not None:
             error.place = (-error.place[0], error.place[1])
         return error
 
@@ -269,14 +272,3 @@ def _curves(cuts: Sequence[Cut], request: PocketRequest) -> tuple[SplineCurve, .
             height = cut.room.level.bottom
             curves[id(cut.path)] = replace(curve, control_points=points, height=height)
     return tuple(curves.values())
-
-
-def _with_mirrored_start(request: PocketRequest) -> PocketRequest:
-    if request.start_point is None:
-        return request
-    x, y = request.start_point
-    return replace(request, start_point=(-x, y))
-
-
-def _mirrored(region: Polygon) -> Polygon:
-    return orient(scale(region, -1.0, 1.0, origin=(0.0, 0.0)))

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .entry import APPROACH, cut_entry, entry_start
-from .floor import FloorPath, Groove, Helix, Pass, Slot
+from .floor import FloorPath, Pass, WayDown
 from .model import PocketRequest
 from .rooms import Room
 from .toolpath import Role, Toolpath, ToolpathBuilder
@@ -96,12 +96,12 @@ def _cut_room(
 
 def _go_down(
     builder: ToolpathBuilder,
-    entry: Helix | Slot | Groove,
+    entry: WayDown,
     top: float,
     bottom: float,
     request: PocketRequest,
 ) -> None:
-    """Add the way over to an entry, at the height where the cutter is, and down into the stock."""
+    """Add the way over to an entry, at the height where the cutter is, and down to the floor."""
     feeds, angle = request.feeds, request.entry.helix_angle
     builder.rapid(feeds.horizontal_rapid, *entry_start(entry, angle, top, bottom))
     builder.rapid(feeds.vertical_rapid, z=min(top + APPROACH, request.heights.safe))

@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 from shapely import Polygon
 from shapely.affinity import scale
 
-from .floor import FloorPath, Groove, Helix, Pass, Slot
+from .floor import FloorPath, Helix, Pass, Plunge, Slot, WayDown
 from .machine import MIDDLING, Axes, Machine
 from .model import Feeds, Heights, PocketRequest, Section
 
@@ -43,6 +43,7 @@ def resized_request(request: PocketRequest, factor: float) -> PocketRequest:
         feed_plan=_times(request.feed_plan, factor, ["link_feed"]),
         machine=resized_machine(request.machine or MIDDLING, factor),
         start_point=None if start is None else (factor * start[0], factor * start[1]),
+        stock=None if request.stock is None else resized(request.stock, factor),
         sections=tuple(_resized_section(section, factor) for section in request.sections),
     )
 
@@ -76,11 +77,13 @@ def resized_path(path: FloorPath, factor: float) -> FloorPath:
     )
 
 
-def _resized_entry(entry: Helix | Slot | Groove, factor: float) -> Helix | Slot | Groove:
+def _resized_entry(entry: WayDown, factor: float) -> WayDown:
     if isinstance(entry, Helix):
         return _times(entry, factor, ["center", "radius"])
     if isinstance(entry, Slot):
         return _times(entry, factor, ["ring", "bite"])
+    if isinstance(entry, Plunge):
+        return Plunge(factor * entry.place)
     lengths = _times(entry, factor, ["ring", "trunk", "bite"])
     return replace(lengths, tips=_each(entry.tips, factor), feet=_each(entry.feet, factor))
 

@@ -8,7 +8,8 @@ How a pocket is opened decides elongated pockets and pockets with islands:
   as a racetrack so that no post remains and nothing reverses;
 - an *island ring*: once round all islands, joined by bridges. After that no front
   ever meets an island; everything is laps outwards to the outer wall;
-- the *outline*: once round the wall, and inwards from there (outline.py).
+- the *outline*: once round the wall, and inwards from there (outline.py);
+- an *open side*: from the air beside the stock (open_sides.py).
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from shapely import LineString, Point, Polygon
 from .branches import feet_between, lengthened, slim_ring, smoothed
 from .entry import WIDEST, fit_helix_radius
 from .errors import CutterDoesNotFitError
-from .floor import Groove, Helix, Slot
+from .floor import Groove, Helix, Slot, WayDown
 from .graphs import delaunay_triangles, spanning_tree
 from .model import Floats, PocketRequest
 from .outline import outline_of
@@ -78,7 +79,7 @@ class Start:
         islands are filled.
     omega : shapely.Polygon
         The region to grow in, ringed islands filled.
-    entry : Helix, Slot or Groove
+    entry : WayDown
     ring : LineString
         The entry's last lap, closed, from where the entry ends, stock on its right.
     within : shapely.Polygon or None
@@ -89,7 +90,7 @@ class Start:
     name: str
     visited: Polygon
     omega: Polygon
-    entry: Helix | Slot | Groove
+    entry: WayDown
     ring: LineString
     within: Polygon | None = None
 

@@ -54,7 +54,9 @@ def prove(
     r, top, bottom = request.cutter_radius, request.heights.start_depth, request.floor
     pieces = cut_into_pieces(toolpath, r, top, request.axial_depth)
     if engagement is None:
-        engagement = along_path(toolpath, r, axial_depth=request.axial_depth, top=top)
+        engagement = along_path(
+            toolpath, r, axial_depth=request.axial_depth, top=top, stock=request.stock
+        )
     load = measure_load(request, toolpath, engagement, pieces)
     levels = levels_of(request)
     uncut = _uncut(request, levels, pieces)
@@ -121,6 +123,8 @@ def _uncut(request: PocketRequest, levels: Sequence[Level], pieces: Pieces) -> M
     for pocket, members in _alike(levels):
         bottom = levels[members[-1]].bottom
         reach = reachable_floor(pocket, r, request.cutting.stock_to_leave)
+        if request.stock is not None:
+            reach = shapely.intersection(reach, request.stock)
         here = pieces.select(pieces.heights >= bottom - SAME_HEIGHT)
         standing = uncut_floor(reach, here, bottom, r, request.tolerance)
         if not standing.is_empty and len(here) < len(pieces):
@@ -151,7 +155,7 @@ def _hits(
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
     slack = max(AIR_TOLERANCES * request.tolerance, AIR_SHARE * request.cutter_radius)
     along = hits_along(engagement, ~fed, slack)
-    down = rapid_plunges(pieces, request.cutter_radius, slack)
+    down = rapid_plunges(pieces, request.cutter_radius, slack, request.stock)
     links = fed & (toolpath.roles[engagement.moves] == Role.LINK)
     rapid = Hit(along.length + down.length, along.place or down.place, along.moves | down.moves)
     return rapid, hits_along(engagement, links, slack)

@@ -40,9 +40,10 @@ FIELDS = (
     ("tolerance", "Tolerance", Quantity),
     ("linkFeed", "LinkFeed", LinkFeed),
     ("slotBite", "SlotBite", Quantity),
+    ("extendOpenSides", "ExtendOpenSides", Check),
 )
 #: What is folded away; the panel unfolds it where one of these is not the default.
-ADVANCED = ("Tolerance", "LinkFeed", "SlotBite", "UseStartPoint")
+ADVANCED = ("Tolerance", "LinkFeed", "SlotBite", "ExtendOpenSides", "UseStartPoint")
 
 #: Every property on which the path depends, of ours and of FreeCAD's own pages.
 INPUTS = {*option_names(), *INHERITED, "Base", "ToolController", "OpToolDiameter"}

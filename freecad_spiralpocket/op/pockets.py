@@ -13,7 +13,8 @@ from typing import Any, TypeAlias
 from ..engine import plan as plan_pocket
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Notice, Plan, PocketRequest, Progress
-from . import commands, request, sections, selection, walls
+from . import commands, open_sides, request, sections, selection, walls
+from .compat import parent_job
 
 #: Share of the operation's tolerance that goes into the chords of curved walls; the rest is
 #: for the path.
@@ -165,16 +166,40 @@ class Pockets:
     ) -> PocketRequest:
         """Return the request for the pocket above a floor, one of those selected."""
         sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
-        key = (id(floor), sag, self._obj.UseOutline)
+        beyond = self._open_sides(floor, sag)
+        key = (id(floor), sag, self._obj.UseOutline, beyond and id(beyond))
         if key not in self._known:
-            self._known[key] = walls.Walls(floor, sag, use_outline=self._obj.UseOutline)
+            self._known[key] = walls.Walls(
+                floor, sag, use_outline=self._obj.UseOutline, open_sides=beyond
+            )
         above = self._known[key]
         depth = request.final_depth(self._obj, floor.z, self._deepest)
-        wanted = request.build(self._obj, above.outline, depth)
+        stock = beyond.stock if beyond else None
+        wanted = request.build(self._obj, above.outline, depth, stock)
         others = [other for other in floors if other is not floor]
         fitted = sections.fitted(wanted, floor, above, others, sag)
         self._overhung[floor.label] = above.outline.area - fitted.pocket.area
         return fitted
+
+    def _open_sides(self, floor: selection.Floor, sag: float) -> open_sides.OpenSides | None:
+        """Return the floor's open sides if the cutter goes beyond them, else None."""
+        if not (floor.open_edges and self._obj.ExtendOpenSides):
+            return None
+        job = parent_job(self._obj)
+        shapes = [model.Shape for model in job.Model.Group]
+        radius, left = self._obj.OpToolDiameter.Value / 2, self._obj.StockToLeave.Value
+        stock = open_sides.outline_of_stock(job.Stock.Shape)
+        key = (id(floor), sag, radius, left, stock.wkb, *(shape.hashCode() for shape in shapes))
+        if key not in self._known:
+            self._known[key] = open_sides.OpenSides(
+                floor,
+                sag,
+                solids=[solid for shape in shapes for solid in shape.Solids],
+                stock=stock,
+                cutter_radius=radius,
+                stock_to_leave=left,
+            )
+        return self._known[key]
 
     def _taken_over(self, wanted: PocketRequest) -> Plan | None:
         """Return an earlier plan for the same request, or None."""
@@ -184,13 +209,7 @@ class Pockets:
         """Add the plan of one pocket, and what is to be told of it."""
         self.plans.append(plan)
         if floor.open_edges:
-            self._note(
-                floor,
-                Notice(
-                    "The pocket is open at a side; the cutter stays within the floor there.",
-                    "Clear that side with another operation, or enlarge the floor in the model.",
-                ),
-            )
+            self._note(floor, self._open_notice(plan))
         if self._overhung[floor.label] > TOLD_OVERHANG:
             self._note(
                 floor,
@@ -202,6 +221,18 @@ class Pockets:
             )
         for notice in plan.report.notices:
             self._note(floor, notice)
+
+    def _open_notice(self, plan: Plan) -> Notice:
+        """Return what is to be told of a pocket with open sides."""
+        if plan.request.stock is None:
+            return Notice(
+                "The pocket is open at a side; the cutter stays within the floor there.",
+                "Set ExtendOpenSides, or clear that side with another operation.",
+            )
+        return Notice(
+            "The pocket is open at a side; the cutter runs out of it there.",
+            "Keep clamps away from that side, or unset ExtendOpenSides.",
+        )
 
     def _note(self, floor: selection.Floor, notice: Notice) -> None:
         if len(self._selected) > 1:

@@ -21,7 +21,7 @@ from ..engine.model import CutMode, FeedMode, Strategy
 from . import preferences
 
 #: Version of the table that this release writes into documents.
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
 #: The user's machines and those of resources/machines, the default first.
 MACHINES = tuple(
     sorted(machines.names(preferences.machine_folder()), key=lambda name: name != "hobby_router")
@@ -164,6 +164,14 @@ TABLE = (
         True,
     ),
     _option("UseOutline", "Bool", "Ignore islands and clear everything inside the outline", False),
+    _option(
+        "ExtendOpenSides",
+        "Bool",
+        "Clear the floor beyond its edge where no wall rises, and begin there in the air where the "
+        "stock ends near by; else the cutter stays within the floor",
+        True,
+        since=3,
+    ),
     Property(
         "UseStartPoint",
         "App::PropertyBool",

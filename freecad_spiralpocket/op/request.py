@@ -104,8 +104,11 @@ def start_point(obj: Any, pocket: Polygon) -> tuple[float, float] | None:
     return (x, y) if pocket.intersects(Point(x, y)) else None
 
 
-def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
-    """Return the request for one pocket that is cut to `depth` with the operation `obj`."""
+def build(obj: Any, pocket: Polygon, depth: float, stock: Polygon | None = None) -> PocketRequest:
+    """Return the request for one pocket that is cut to `depth` with the operation `obj`.
+
+    `stock` is the stock's outline where the pocket reaches out of it.
+    """
     return PocketRequest(
         pocket=pocket,
         tool_diameter=obj.OpToolDiameter.Value,
@@ -140,4 +143,5 @@ def build(obj: Any, pocket: Polygon, depth: float) -> PocketRequest:
         ),
         machine=machine(obj.Machine),
         start_point=start_point(obj, pocket),
+        stock=stock,
     )

@@ -24,7 +24,8 @@ from ..engine.errors import CutterDoesNotFitError
 from ..engine.levels import floors
 from ..engine.model import PocketRequest, Section
 from .selection import SAME_HEIGHT, Floor
-from .walls import ABOVE, Walls
+from .slices import ABOVE
+from .walls import Walls
 
 #: Sections that differ by no more than this many sags are one.
 ALIKE = 2.0

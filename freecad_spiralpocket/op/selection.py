@@ -2,12 +2,12 @@
 """From what the user selected to floors of pockets, or a sentence that says why not.
 
 A floor is a flat, level face of a solid that looks up and has a wall rising from
-its outline. Whether a wall rises or falls from an edge shows in the outward normal
-of the face on the edge's other side: it leans over the floor where the wall rises
-and away from it where the wall falls. At a fillet both are tangent, so there the
-height of the fillet's face decides. Heights decide as well where all of the
-neighbor lies on one side of the floor; bounding boxes alone would be wrong: an
-L-shaped side face of a boss is higher than the floor around it, and lower.
+its outline, or an island standing on it. Whether a wall rises or falls from an edge
+shows in the outward normal of the face on the edge's other side: it leans over the
+floor where the wall rises and away from it where the wall falls. At a fillet both are
+tangent, so there the height of the fillet's face decides. Heights decide as well
+where all of the neighbor lies on one side of the floor; bounding boxes alone would be
+wrong: an L-shaped side face of a boss is higher than the floor around it, and lower.
 """
 
 from __future__ import annotations
@@ -152,7 +152,7 @@ def floor(model: Any, name: str, known: dict[int, Neighbors] | None = None) -> F
     neighbors = known[solid.hashCode()]
     edges = face.OuterWire.Edges
     walled = sum(wall_rises(neighbors, face, e) for e in edges)
-    if not walled:
+    if not walled and not any(wall_rises(neighbors, face, e) for e in face.Edges):
         raise SelectionError(
             f"{where} is not the floor of a pocket: no wall rises from it.", _PICK_A_FLOOR
         )

@@ -73,6 +73,10 @@
         <translation>Inseln ignorieren und alles innerhalb des Umrisses räumen</translation>
     </message>
     <message>
+        <source>Clear the floor beyond its edge where no wall rises, and begin there in the air where the stock ends near by; else the cutter stays within the floor</source>
+        <translation>Den Boden über seinen Rand hinaus räumen, wo keine Wand aufsteigt, und dort in der Luft beginnen, wo das Rohteil nahebei endet; sonst bleibt der Fräser innerhalb des Bodens</translation>
+    </message>
+    <message>
         <source>Make True, if specifying a Start Point</source>
         <translation>Auf Wahr setzen, wenn ein Startpunkt angegeben wird</translation>
     </message>
@@ -647,10 +651,6 @@
         <translation>Für diese Tasche die Strategie Automatisch oder Isothermen wählen.</translation>
     </message>
     <message>
-        <source>Clear that side with another operation, or enlarge the floor in the model.</source>
-        <translation>Diese Seite mit einer anderen Operation räumen oder den Boden im Modell vergrößern.</translation>
-    </message>
-    <message>
         <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
         <translation>Zuerst schließen (Arbeitsbereich Part, Geometrie überprüfen und In Festkörper umwandeln).</translation>
     </message>
@@ -685,6 +685,10 @@
     <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>Isothermen bräuchte mehr als {0} Umläufe.</translation>
+    </message>
+    <message>
+        <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
+        <translation>Diese Seite von Spannmitteln frei halten oder ExtendOpenSides ausschalten.</translation>
     </message>
     <message>
         <source>Laps of Linear Morph would cross themselves at {at}, where the wall turns away from the middle of the pocket.</source>
@@ -777,6 +781,10 @@
     <message>
         <source>Set ClearanceHeight above SafeHeight above StartDepth.</source>
         <translation>ClearanceHeight über SafeHeight über StartDepth setzen.</translation>
+    </message>
+    <message>
+        <source>Set ExtendOpenSides, or clear that side with another operation.</source>
+        <translation>ExtendOpenSides einschalten oder diese Seite mit einer anderen Operation räumen.</translation>
     </message>
     <message>
         <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
@@ -903,6 +911,10 @@
         <translation>Die Schlichttiefe von {0} mm liegt nicht zwischen 0 und der Tiefenzustellung von {1} mm.</translation>
     </message>
     <message>
+        <source>The fit of {0} patches has no solution.</source>
+        <translation>Die Anpassung von {0} Kurvenstücken hat keine Lösung.</translation>
+    </message>
+    <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
         <translation>Die Höhen sind vertauscht: Freifahrhöhe {0} mm, Sicherheitshöhe {1} mm, Starttiefe {2} mm.</translation>
     </message>
@@ -969,6 +981,10 @@
     <message>
         <source>The pocket is more than {0} step-overs wide.</source>
         <translation>Die Tasche ist mehr als {0} Zustellungen breit.</translation>
+    </message>
+    <message>
+        <source>The pocket is open at a side; the cutter runs out of it there.</source>
+        <translation>Die Tasche ist an einer Seite offen; dort läuft der Fräser aus ihr hinaus.</translation>
     </message>
     <message>
         <source>The pocket is open at a side; the cutter stays within the floor there.</source>
@@ -1224,6 +1240,10 @@
     <message>
         <source>Slot bite</source>
         <translation>Zustellung in der Nut</translation>
+    </message>
+    <message>
+        <source>Extend open sides</source>
+        <translation>Offene Seiten erweitern</translation>
     </message>
     <message>
         <source>Use start point</source>

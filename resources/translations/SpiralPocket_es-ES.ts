@@ -73,6 +73,10 @@
         <translation>Ignorar las islas y vaciar todo dentro del contorno</translation>
     </message>
     <message>
+        <source>Clear the floor beyond its edge where no wall rises, and begin there in the air where the stock ends near by; else the cutter stays within the floor</source>
+        <translation>Vaciar el fondo más allá de su borde donde no se alza ninguna pared, y empezar allí en el aire si el material acaba cerca; si no, la fresa queda dentro del fondo</translation>
+    </message>
+    <message>
         <source>Make True, if specifying a Start Point</source>
         <translation>Poner en Verdadero si se indica un punto de inicio</translation>
     </message>
@@ -647,10 +651,6 @@
         <translation>Elija la estrategia Automático o Isotermas para esta cajera.</translation>
     </message>
     <message>
-        <source>Clear that side with another operation, or enlarge the floor in the model.</source>
-        <translation>Vacíe ese lado con otra operación o agrande el fondo en el modelo.</translation>
-    </message>
-    <message>
         <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
         <translation>Ciérrela primero (banco Part, Comprobar geometría y Convertir en sólido).</translation>
     </message>
@@ -685,6 +685,10 @@
     <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>Isotermas necesitaría más de {0} vueltas.</translation>
+    </message>
+    <message>
+        <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
+        <translation>Mantenga las bridas lejos de ese lado, o desactive ExtendOpenSides.</translation>
     </message>
     <message>
         <source>Laps of Linear Morph would cross themselves at {at}, where the wall turns away from the middle of the pocket.</source>
@@ -777,6 +781,10 @@
     <message>
         <source>Set ClearanceHeight above SafeHeight above StartDepth.</source>
         <translation>Ponga ClearanceHeight sobre SafeHeight y esta sobre StartDepth.</translation>
+    </message>
+    <message>
+        <source>Set ExtendOpenSides, or clear that side with another operation.</source>
+        <translation>Active ExtendOpenSides, o vacíe ese lado con otra operación.</translation>
     </message>
     <message>
         <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
@@ -903,6 +911,10 @@
         <translation>La profundidad de acabado de {0} mm no está entre 0 y la pasada de {1} mm.</translation>
     </message>
     <message>
+        <source>The fit of {0} patches has no solution.</source>
+        <translation>El ajuste de {0} tramos de curva no tiene solución.</translation>
+    </message>
+    <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
         <translation>Las alturas están invertidas: despeje {0} mm, segura {1} mm, profundidad inicial {2} mm.</translation>
     </message>
@@ -969,6 +981,10 @@
     <message>
         <source>The pocket is more than {0} step-overs wide.</source>
         <translation>La cajera mide más de {0} pasos de ancho.</translation>
+    </message>
+    <message>
+        <source>The pocket is open at a side; the cutter runs out of it there.</source>
+        <translation>La cajera está abierta por un lado; la fresa sale de ella por allí.</translation>
     </message>
     <message>
         <source>The pocket is open at a side; the cutter stays within the floor there.</source>
@@ -1224,6 +1240,10 @@
     <message>
         <source>Slot bite</source>
         <translation>Pasada en ranura</translation>
+    </message>
+    <message>
+        <source>Extend open sides</source>
+        <translation>Extender los lados abiertos</translation>
     </message>
     <message>
         <source>Use start point</source>

@@ -73,6 +73,10 @@
         <translation>Ignorer les îlots et vider tout l'intérieur du contour</translation>
     </message>
     <message>
+        <source>Clear the floor beyond its edge where no wall rises, and begin there in the air where the stock ends near by; else the cutter stays within the floor</source>
+        <translation>Vider le fond au-delà de son bord là où aucune paroi ne s'élève, et y commencer dans l'air si le brut finit tout près ; sinon la fraise reste à l'intérieur du fond</translation>
+    </message>
+    <message>
         <source>Make True, if specifying a Start Point</source>
         <translation>Mettre à Vrai pour imposer un point de départ</translation>
     </message>
@@ -647,10 +651,6 @@
         <translation>Choisissez la stratégie Automatique ou Isothermes pour cette poche.</translation>
     </message>
     <message>
-        <source>Clear that side with another operation, or enlarge the floor in the model.</source>
-        <translation>Videz ce côté avec une autre opération, ou agrandissez le fond dans le modèle.</translation>
-    </message>
-    <message>
         <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
         <translation>Fermez-la d'abord (atelier Part, Vérifier la géométrie et Convertir en solide).</translation>
     </message>
@@ -685,6 +685,10 @@
     <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>Isothermes demanderait plus de {0} tours.</translation>
+    </message>
+    <message>
+        <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
+        <translation>Éloignez les brides de ce côté, ou désactivez ExtendOpenSides.</translation>
     </message>
     <message>
         <source>Laps of Linear Morph would cross themselves at {at}, where the wall turns away from the middle of the pocket.</source>
@@ -777,6 +781,10 @@
     <message>
         <source>Set ClearanceHeight above SafeHeight above StartDepth.</source>
         <translation>Mettez ClearanceHeight au-dessus de SafeHeight, elle-même au-dessus de StartDepth.</translation>
+    </message>
+    <message>
+        <source>Set ExtendOpenSides, or clear that side with another operation.</source>
+        <translation>Activez ExtendOpenSides, ou videz ce côté avec une autre opération.</translation>
     </message>
     <message>
         <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
@@ -903,6 +911,10 @@
         <translation>La profondeur de finition de {0} mm n'est pas entre 0 et la passe de {1} mm.</translation>
     </message>
     <message>
+        <source>The fit of {0} patches has no solution.</source>
+        <translation>L'ajustement de {0} morceaux de courbe n'a pas de solution.</translation>
+    </message>
+    <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
         <translation>Les hauteurs sont inversées : dégagement {0} mm, sécurité {1} mm, profondeur de départ {2} mm.</translation>
     </message>
@@ -969,6 +981,10 @@
     <message>
         <source>The pocket is more than {0} step-overs wide.</source>
         <translation>La poche fait plus de {0} pas de large.</translation>
+    </message>
+    <message>
+        <source>The pocket is open at a side; the cutter runs out of it there.</source>
+        <translation>La poche est ouverte d'un côté ; la fraise en sort par là.</translation>
     </message>
     <message>
         <source>The pocket is open at a side; the cutter stays within the floor there.</source>
@@ -1224,6 +1240,10 @@
     <message>
         <source>Slot bite</source>
         <translation>Passe en rainure</translation>
+    </message>
+    <message>
+        <source>Extend open sides</source>
+        <translation>Prolonger les côtés ouverts</translation>
     </message>
     <message>
         <source>Use start point</source>

@@ -73,6 +73,10 @@
         <translation>忽略岛屿，清除轮廓内的全部材料</translation>
     </message>
     <message>
+        <source>Clear the floor beyond its edge where no wall rises, and begin there in the air where the stock ends near by; else the cutter stays within the floor</source>
+        <translation>在没有侧壁的地方越过底面边缘进行清除，若毛坯就在附近结束则从空气中开始；否则刀具保持在底面之内</translation>
+    </message>
+    <message>
         <source>Make True, if specifying a Start Point</source>
         <translation>指定起点时设为 True</translation>
     </message>
@@ -647,10 +651,6 @@
         <translation>此型腔请选用“自动”或“等温线”策略。</translation>
     </message>
     <message>
-        <source>Clear that side with another operation, or enlarge the floor in the model.</source>
-        <translation>请用其他工序清除该侧，或在模型中扩大底面。</translation>
-    </message>
-    <message>
         <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
         <translation>请先封闭（Part 工作台，检查几何并转换为实体）。</translation>
     </message>
@@ -685,6 +685,10 @@
     <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>“等温线”将需要超过 {0} 圈。</translation>
+    </message>
+    <message>
+        <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
+        <translation>请让夹具远离该侧，或关闭 ExtendOpenSides。</translation>
     </message>
     <message>
         <source>Laps of Linear Morph would cross themselves at {at}, where the wall turns away from the middle of the pocket.</source>
@@ -777,6 +781,10 @@
     <message>
         <source>Set ClearanceHeight above SafeHeight above StartDepth.</source>
         <translation>使 ClearanceHeight 高于 SafeHeight，SafeHeight 高于 StartDepth。</translation>
+    </message>
+    <message>
+        <source>Set ExtendOpenSides, or clear that side with another operation.</source>
+        <translation>请启用 ExtendOpenSides，或用其他操作清除该侧。</translation>
     </message>
     <message>
         <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
@@ -903,6 +911,10 @@
         <translation>精加工深度 {0} mm 不在 0 与下刀步距 {1} mm 之间。</translation>
     </message>
     <message>
+        <source>The fit of {0} patches has no solution.</source>
+        <translation>{0} 段曲线的拟合无解。</translation>
+    </message>
+    <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
         <translation>高度颠倒：间隙高度 {0} mm，安全高度 {1} mm，起始深度 {2} mm。</translation>
     </message>
@@ -969,6 +981,10 @@
     <message>
         <source>The pocket is more than {0} step-overs wide.</source>
         <translation>型腔宽度超过 {0} 个步距。</translation>
+    </message>
+    <message>
+        <source>The pocket is open at a side; the cutter runs out of it there.</source>
+        <translation>型腔有一侧开放；刀具会从那里驶出。</translation>
     </message>
     <message>
         <source>The pocket is open at a side; the cutter stays within the floor there.</source>
@@ -1224,6 +1240,10 @@
     <message>
         <source>Slot bite</source>
         <translation>开槽切深</translation>
+    </message>
+    <message>
+        <source>Extend open sides</source>
+        <translation>延伸开放侧</translation>
     </message>
     <message>
         <source>Use start point</source>

@@ -11,9 +11,8 @@ import shapely
 from shapely import LineString, Point, Polygon, box
 from shapes import DUMBBELL, L_SHAPE, SQUARE, request
 
-from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine import open_sides, plan
 from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
-from freecad_spiralpocket.engine.laps import automatic
 from freecad_spiralpocket.engine.model import Cutting, Strategy
 from freecad_spiralpocket.engine.outline import outline_of
 from freecad_spiralpocket.engine.shaping import thick_parts
@@ -40,12 +39,12 @@ def regions(pocket: Polygon) -> Polygon:
 @pytest.fixture
 def only_outline(monkeypatch):
     """Let Automatic open pockets along their walls only."""
-    every = automatic.candidates
+    every = open_sides.candidates
 
     def outline(region, asked):
         return [start for start in every(region, asked) if start.name == "outline"]
 
-    monkeypatch.setattr(automatic, "candidates", outline)
+    monkeypatch.setattr(open_sides, "candidates", outline)
 
 
 @pytest.mark.parametrize("name", POCKETS)

@@ -219,7 +219,7 @@ def test_holes_in_the_floor_are_no_islands(doc):
 def test_a_slanted_pocket_open_at_a_side_stays_within_its_floor_there(doc):
     shape = slanted_block((20, 20, 20, 20), DEPTH, 40.0, 30.0, 6.0)
     shape = shape.cut(Part.makeBox(40, 60, 40, Vector(30, -15, -30)))
-    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0)
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0, ExtendOpenSides=False)
     (plan,) = op.Proxy.plans
     slope = math.tan(math.radians(20))
     for section in plan.request.sections:

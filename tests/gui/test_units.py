@@ -32,6 +32,7 @@ TAB_ORDER = [
     "tolerance",
     "linkFeed",
     "slotBite",
+    "extendOpenSides",
     "useStartPoint",
     "startPointX",
     "startPointY",

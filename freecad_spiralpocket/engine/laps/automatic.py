@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -22,7 +22,7 @@ from shapely import LineString, Polygon
 from ..cleared import ClearedMap
 from ..corners import finish_corners
 from ..errors import NotYetError
-from ..floor import FloorPath, Groove, Helix, Pass
+from ..floor import FloorPath, Groove, Helix, Pass, Plunge
 from ..front_rules import MEETING, WIDEST, FrontRules, step_limit
 from ..fronts import MAX_FRONTS, STRETCH, grow
 from ..groove import groove_path
@@ -30,12 +30,13 @@ from ..linking import Motion, link_times
 from ..machine import MIDDLING
 from ..model import Floats, PocketRequest, Tick
 from ..nearest import nearest
+from ..open_sides import needed, starts_of
 from ..ordering import Step, order, runs_of
 from ..polyline import simplified
-from ..shaping import largest, oriented, thick_parts
+from ..shaping import buffer, largest, oriented, thick_parts
 from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
-from ..starts import Start, candidates
+from ..starts import Start
 from ..strokes import Stroke, strokes_between, strokes_of
 from ..timing import polyline_seconds
 from ..toolpath import Role
@@ -66,6 +67,8 @@ TIE = 0.07
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
 CUSP = 0.8
+#: A stroke along a wall may be beyond it by this, as rounding has it [mm].
+ALONG = 0.005
 #: A lift, over and down again takes about so long [s].
 LIFT_SECONDS = 3.0
 #: Points that matter less than this share of the tolerance are dropped.
@@ -104,8 +107,9 @@ def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
     region = oriented(shapely.simplify(region, 0.001))
     motion, rules = motion_of(request), rules_of(request)
     best, most = _Best(), MAX_FRONTS
-    starts = promising(candidates(region, request), region, FEW * request.cutting.stepover)
-    for i, start in enumerate(starts):
+    near = FEW * request.cutting.stepover
+    starts = promising(starts_of(region, request), needed(region, request), near)
+    for i, (start, within) in enumerate(starts):
         done = partial(tick, i / len(starts))
         entry = _entry_seconds(start, request, motion)
         grown = _grown(start, rules, best, most, entry, motion, done)
@@ -114,14 +118,14 @@ def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
         fronts, corners = grown
         toll = CHANNEL_TOLL if corners > CORNER_LEVELS else 1.0
         if start.within is not None:
-            fronts = _with_corners(fronts, start.within, region, rules)
+            fronts = _with_corners(fronts, start.within, within, rules)
         most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
         strokes = strokes_of(fronts)
         # no links can make up for entry, cuts and turns back that take longer already
         at_least = entry + _least_seconds(strokes, motion)
         if not best.is_beaten_by(toll * at_least, _open_strokes(strokes)):
             continue
-        steps = _steps(start, fronts, strokes, region, request, motion, done)
+        steps = _steps(start, fronts, strokes, within, request, motion, done)
         seconds = toll * (entry + _seconds(steps, request, motion))
         links = sum(step.link is None or len(step.link) > 0 for step in steps)
         if best.is_beaten_by(seconds, links):
@@ -219,7 +223,9 @@ def rules_of(request: PocketRequest) -> FrontRules:
     return FrontRules(radius, limit, CLOSING * radius, FILLET * min(stepover, MEETING * radius))
 
 
-def promising(starts: list[Start], region: Polygon, near: float) -> list[Start]:
+def promising(
+    starts: list[tuple[Start, Polygon]], region: Polygon, near: float
+) -> list[tuple[Start, Polygon]]:
     """Return the starts from which the farthest place is not hopelessly far, the nearest first.
 
     Fronts from elsewhere would need so many more levels, each with its strokes and links, that
@@ -232,7 +238,7 @@ def promising(starts: list[Start], region: Polygon, near: float) -> list[Start]:
     inner = np.column_stack([x.ravel(), y.ravel()])
     inner = inner[shapely.contains_xy(region, inner)]
     places = np.vstack([inner, _sampled(region.boundary, 2.0)])
-    far = np.array([_farthest(places, start.visited) for start in starts])
+    far = np.array([_farthest(places, start.visited) for start, _ in starts])
     order = np.argsort(far, kind="stable")
     return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), near)]
 
@@ -270,6 +276,8 @@ def _steps(
 ) -> list[Step]:
     """Return the cutting runs and links that follow an entry."""
     radius = request.cutter_radius
+    if isinstance(start.entry, Plunge):
+        strokes = _within(strokes, region)
     mouths = _mouths(start, region, OVERRUN * radius)
     strokes = strokes + [Stroke(m, len(fronts), False, False) for m in mouths]
     opening = _rest_of_entry(start, strokes)
@@ -295,6 +303,24 @@ def _steps(
         ahead = following - here
     heading = ahead / np.hypot(*ahead)
     return opening + order(runs, cleared, region, here, heading, motion, radius, tick)
+
+
+def _within(strokes: list[Stroke], region: Polygon) -> list[Stroke]:
+    """Return strokes without what of their ends lies in the air beside the region."""
+    here = buffer(region, ALONG)
+    shapely.prepare(here)
+    kept = []
+    for stroke in strokes:
+        line = LineString(stroke.points)
+        if stroke.closed or here.covers(line):
+            kept.append(stroke)
+            continue
+        ends = shapely.get_coordinates(shapely.intersection(line, here))
+        inside = shapely.line_locate_point(line, shapely.points(ends))
+        if len(inside) > 1:
+            part = shapely.ops.substring(line, inside.min(), inside.max())
+            kept.append(replace(stroke, points=shapely.get_coordinates(part)))
+    return kept
 
 
 def _rest_of_entry(start: Start, strokes: list[Stroke]) -> list[Step]:
@@ -354,6 +380,8 @@ def _way_seconds(points: Floats, request: PocketRequest, motion: Motion) -> floa
 def _entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float:
     """Return how long the way down takes [s]."""
     entry, angle, depth = start.entry, request.entry.helix_angle, request.axial_depth
+    if isinstance(entry, Plunge):
+        return 0.0
     ring = shapely.get_coordinates(start.ring)
     once = _way_seconds(ring, request, motion)
     if isinstance(entry, Helix):

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Conventional milling is climb milling in the mirror: x becomes -x before and after."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from shapely import Polygon
+from shapely.affinity import scale
+from shapely.geometry.polygon import orient
+
+from .model import PocketRequest
+
+
+def mirrored(shape: Polygon) -> Polygon:
+    """Return a polygon in the mirror, counter-clockwise."""
+    return orient(scale(shape, -1.0, 1.0, origin=(0.0, 0.0)))
+
+
+def mirrored_request(request: PocketRequest) -> PocketRequest:
+    """Return a request with the places that a strategy looks at in the mirror."""
+    start, stock = request.start_point, request.stock
+    return replace(
+        request,
+        start_point=None if start is None else (-start[0], start[1]),
+        stock=None if stock is None else mirrored(stock),
+    )

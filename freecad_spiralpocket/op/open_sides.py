@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is added to a floor beyond its open sides, so that the cutter clears it to its very edge.
+
+Its center may go straight out of each open side: by a hair, or where the stock ends near by as far
+as to come down and turn in the air beside it. It keeps off everything that stands beside the floor:
+the part itself, and all other parts of the job.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import shapely
+from shapely import MultiPoint, Polygon
+
+from ..engine.region import grow, polygons_of
+from . import geometry
+from .selection import Floor, wall_rises
+from .slices import looks_down, over, shadow, solid_section
+
+#: The center goes so far beyond the stock, over R: down there in the air, with some room.
+BEYOND = 2.0
+#: And so far beyond an open side where the stock reaches farther than the cutter's diameter.
+OVER = 0.1
+#: It keeps off the part there by this more than by the wall [mm].
+APART = 0.003
+#: What is added overlaps the floor by this [mm].
+OVERLAP = 0.001
+#: Outlines of curved stock are off by up to this [mm].
+STOCK_SAG = 0.01
+
+
+class OpenSides:
+    """The open sides of one floor.
+
+    Parameters
+    ----------
+    floor : Floor
+    sag : float
+        Largest distance of sections from the true walls [mm].
+    solids : sequence of Part.Solid
+        All that must not be cut.
+    stock : shapely.Polygon
+        Outline of the stock.
+    cutter_radius, stock_to_leave : float
+        [mm]
+
+    Attributes
+    ----------
+    stock : shapely.Polygon
+    """
+
+    def __init__(
+        self,
+        floor: Floor,
+        sag: float,
+        *,
+        solids: Sequence[Any],
+        stock: Polygon,
+        cutter_radius: float,
+        stock_to_leave: float,
+    ) -> None:
+        self.stock = stock
+        self._sag, self._solids, self._inset = sag, solids, cutter_radius + stock_to_leave
+        pieces = lines_of(floor, sag)
+        lines = [shapely.linestrings([p.start for p in c] + [c[-1].end]) for c in pieces]
+        self._edge = shapely.union_all(lines)
+        merged = shapely.line_merge(self._edge) if len(lines) > 1 else self._edge
+        out = [_way_out(line, stock, cutter_radius) for line in shapely.get_parts(merged)]
+        straight, wide = (
+            shapely.union_all(
+                [
+                    shapely.buffer(line, far, cap_style=cap, join_style="mitre")
+                    for line, far in zip(shapely.get_parts(merged), out, strict=True)
+                ]
+            )
+            for cap in ("flat", "square")
+        )
+        # in the air there is room to turn to both sides
+        in_air = shapely.difference(wide, grow(stock, cutter_radius + APART))
+        self._strips = shapely.union(straight, in_air)
+
+    def widened(self, free: Polygon, z: float) -> Polygon:
+        """Return what is free inside of the floor's edge at Z `z`, and what is beyond it."""
+        filled = Polygon(free.exterior)
+        around = self._strips.buffer(2 * self._inset)
+        standing = [self._standing(solid, around, z) for solid in self._solids]
+        kept_off = grow(shapely.union_all(standing), self._inset + APART)
+        # a wall that ends at the edge aslant is cut to its end from inside of the floor
+        inside = shapely.intersection(filled, shapely.buffer(self._edge, self._inset))
+        centers = shapely.difference(shapely.union(self._strips, inside), kept_off)
+        near = shapely.buffer(self._edge, OVERLAP)
+        ways = [p for p in polygons_of(centers) if p.intersects(near)]
+        if not ways:
+            return free
+        beyond = shapely.difference(grow(shapely.union_all(ways), self._inset), filled)
+        parts = [p for p in polygons_of(beyond) if p.intersects(near)]
+        return polygons_of(shapely.union_all([free, *(p.buffer(OVERLAP) for p in parts)]))[0]
+
+    def _standing(self, solid: Any, area: shapely.Geometry, z: float) -> shapely.Geometry:
+        """Return the ground in an area on or under which a solid stands or hangs above `z`."""
+        faces = list(over(solid.Faces, area, z))
+        if not faces:
+            return Polygon()
+        here = shapely.intersection(solid_section(solid, z, self._sag), area)
+        return shapely.union(here, shadow(filter(looks_down, faces), z))
+
+
+def lines_of(floor: Floor, sag: float) -> list[list[geometry.Piece]]:
+    """Return the edges of a floor from which no wall rises, each as pieces from end to end."""
+    return [
+        geometry.pieces_of(edge, sag)
+        for edge in floor.face.OuterWire.Edges
+        if not wall_rises(floor.neighbors, floor.face, edge)
+    ]
+
+
+def outline_of_stock(shape: Any) -> Polygon:
+    """Return the convex outline of a job's stock, seen from above."""
+    corners, _ = shape.tessellate(STOCK_SAG)
+    hull = MultiPoint(np.array([tuple(c)[:2] for c in corners])).convex_hull
+    return shapely.buffer(hull, STOCK_SAG, join_style="mitre")
+
+
+def _way_out(line: shapely.LineString, stock: Polygon, radius: float) -> float:
+    """Return how far the cutter's center may go beyond an open side [mm]."""
+    places = shapely.points(shapely.get_coordinates(shapely.segmentize(line, 1.0)))
+    inside = shapely.contains(stock, places)
+    margin = float(shapely.distance(stock.exterior, places[inside]).max(initial=0.0))
+    return margin + BEYOND * radius if margin <= 2 * radius else OVER * radius

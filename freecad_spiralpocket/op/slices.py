@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solids cut by level planes, and what of them hangs over a place.
+
+Each line of a section knows its free side from the outward normal of its face, so rings
+need no sorting: where free ground lies inside it is an outline, else an island. FreeCAD's
+sections exactly in the plane of a face are not reliable, so they are taken a hair above.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import reduce
+from typing import Any
+
+import FreeCAD
+import numpy as np
+import Part
+import shapely
+from shapely import Polygon
+
+from ..engine.errors import GeometryError
+from ..engine.region import polygons_of
+from . import geometry
+from .selection import SAME_HEIGHT
+
+#: Sections are taken this far above the height they are for [mm].
+ABOVE = 1e-3
+#: FreeCAD's sections of curved faces are out by up to this [mm].
+RIPPLE = 1e-4
+#: A part of a normal up to this is none; a plane from a file may be out by so much [rad].
+LEVEL = 1e-5
+#: Normals are looked at in so many places each way.
+PLACES = 9
+#: Overhanging faces become triangles this far off at most [mm].
+SHADOW_SAG = 2e-3
+
+UP = FreeCAD.Vector(0, 0, 1)
+
+
+def over(faces: Iterable[Any], area: shapely.Geometry, z: float) -> Iterator[Any]:
+    """Yield the faces that reach above `z` over the bounds of an area."""
+    x0, y0, x1, y1 = area.bounds
+    for face in faces:
+        box = face.BoundBox
+        beside = box.XMax < x0 or box.XMin > x1 or box.YMax < y0 or box.YMin > y1
+        if box.ZMax > z + ABOVE and not beside:
+            yield face
+
+
+def section(faces: Iterable[Any], z: float, sag: float) -> list[np.ndarray]:
+    """Return the closed rings in which a plane cuts faces, free ground on their left."""
+    chains = []
+    for face in faces:
+        box = face.BoundBox
+        if box.ZMin < z + ABOVE < box.ZMax:
+            try:
+                edges = [e for wire in face.slice(UP, z + ABOVE) for e in wire.Edges]
+                chains += [_sided(edge, face, sag) for edge in edges]
+            except (Part.OCCError, RuntimeError) as error:
+                place = face.CenterOfMass
+                raise GeometryError(
+                    f"The wall at {{at}} cannot be cut at Z{z:g}: {error}.",
+                    "Repair the part (Part workbench, Check Geometry).",
+                    (place.x, place.y),
+                ) from error
+    return [geometry.ring_points(ring) for ring in _rings(chains)]
+
+
+def solid_section(solid: Any, z: float, sag: float) -> shapely.Geometry:
+    """Return what of a solid lies in a level plane."""
+    areas = (p for ring in section(solid.Faces, z, sag) for p in polygons_in(ring))
+    return reduce(shapely.symmetric_difference, areas, Polygon())
+
+
+def shadow(faces: Iterable[Any], z: float) -> shapely.Geometry:
+    """Return the ground under faces, as far as they are above `z`."""
+    triangles = []
+    for face in faces:
+        if face.BoundBox.ZMax > z + ABOVE:
+            corners, index = face.tessellate(SHADOW_SAG)
+            points = np.array([tuple(c) for c in corners])
+            triangles += [_above(points[list(i)], z) for i in index]
+    shadows = [shapely.MultiPoint(t[:, :2]).convex_hull for t in triangles if len(t) > 2]
+    # a hair, so that what is vertical has an area and is no sliver
+    return shapely.union_all(shadows).buffer(SHADOW_SAG, quad_segs=2)
+
+
+def is_level(face: Any) -> bool:
+    """Return whether a face is flat, level and looks up."""
+    if face.BoundBox.ZLength > SAME_HEIGHT:
+        return False
+    return bool(_normals(face)[:, 2].min() > 1 - LEVEL)
+
+
+def is_vertical(face: Any) -> bool:
+    """Return whether a face is vertical everywhere."""
+    return bool(np.abs(_normals(face)[:, 2]).max() < LEVEL)
+
+
+def looks_down(face: Any) -> bool:
+    """Return whether a face looks down anywhere."""
+    return bool(_normals(face)[:, 2].min() < -LEVEL)
+
+
+def place_on(face: Any) -> tuple[float, float]:
+    """Return a place on a flat face, (x, y) [mm], well inside of it."""
+    corners, triangles = face.tessellate(0.1)
+    points = np.array([tuple(c)[:2] for c in corners])
+    largest = max(
+        (points[list(t)] for t in triangles), key=lambda t: abs(signed_area(t)), default=points
+    )
+    x, y = largest.mean(axis=0)
+    return float(x), float(y)
+
+
+def polygons_in(ring: np.ndarray) -> list[Polygon]:
+    """Return a ring as a polygon; several or none where it touches itself."""
+    if len(ring) < 3:
+        return []
+    return polygons_of(shapely.make_valid(Polygon(ring)))
+
+
+def signed_area(ring: np.ndarray) -> float:
+    """Return the signed area of a ring, shape (n, 2) [mm2]."""
+    x, y = ring.T
+    return float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
+
+
+def _normals(face: Any) -> np.ndarray:
+    """Return the outward normals in a grid of places, shape (n, 3); one for a plane."""
+    u0, u1, v0, v1 = face.ParameterRange
+    if isinstance(face.Surface, Part.Plane):
+        return np.array([tuple(face.normalAt((u0 + u1) / 2, (v0 + v1) / 2))])
+    shares = (np.arange(PLACES) + 0.5) / PLACES
+    us, vs = (a + (b - a) * shares for a, b in ((u0, u1), (v0, v1)))
+    return np.array([tuple(face.normalAt(u, v)) for u in us for v in vs])
+
+
+def _sided(edge: Any, face: Any, sag: float) -> list[geometry.Piece]:
+    """Return an edge of a section as pieces with free ground on their left."""
+    pieces = geometry.pieces_of(edge, sag, RIPPLE)
+    t0, t1 = edge.ParameterRange
+    middle = (t0 + t1) / 2
+    tangent = edge.tangentAt(middle)
+    normal = face.normalAt(*face.Surface.parameter(edge.valueAt(middle)))
+    is_left = tangent.x * normal.y - tangent.y * normal.x > 0
+    return pieces if is_left else geometry.turned(pieces)
+
+
+def _rings(chains: list[list[geometry.Piece]]) -> list[list[geometry.Piece]]:
+    """Return the closed rings that chains form head to tail."""
+    left, rings = list(chains), []
+    while left:
+        ring = list(left.pop())
+        while np.linalg.norm(ring[-1].end - ring[0].start) > geometry.GAP or len(ring) == 1:
+            gaps = [float(np.linalg.norm(c[0].start - ring[-1].end)) for c in left]
+            nearest = int(np.argmin(gaps)) if gaps else -1
+            if nearest < 0 or gaps[nearest] > geometry.GAP:
+                break
+            ring += left.pop(nearest)
+        else:
+            rings.append(ring)
+    return rings
+
+
+def _above(triangle: np.ndarray, z: float) -> np.ndarray:
+    """Return the corners of the part of a triangle above `z`, shape (n, 3)."""
+    corners = []
+    for a, b in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
+        if a[2] >= z:
+            corners.append(a)
+        if (a[2] - z) * (b[2] - z) < 0:
+            corners.append(a + (b - a) * (z - a[2]) / (b[2] - a[2]))
+    return np.array(corners).reshape(-1, 3)
