@@ -22,8 +22,11 @@ from .slices import looks_down, over, shadow, solid_section
 
 #: The center goes so far beyond the stock, over R: down there in the air, with some room.
 BEYOND = 2.0
-#: And so far beyond an open side where the stock reaches farther than the cutter's diameter.
-OVER = 0.1
+#: And so far beyond an open side where the stock reaches farther than the cutter's diameter, over
+#: R: the first that clears as much of the floor as the last; walls that end aslant may take that.
+OVER = (0.1, 0.4, 0.7, 1.0)
+#: What is thinner than twice this is left by rounding alone [mm].
+HAIR = 0.005
 #: It keeps off the part there by this more than by the wall [mm].
 APART = 0.003
 #: What is added overlaps the floor by this [mm].
@@ -67,37 +70,39 @@ class OpenSides:
         pieces = lines_of(floor, sag)
         lines = [shapely.linestrings([p.start for p in c] + [c[-1].end]) for c in pieces]
         self._edge = shapely.union_all(lines)
-        merged = shapely.line_merge(self._edge) if len(lines) > 1 else self._edge
-        out = [_way_out(line, stock, cutter_radius) for line in shapely.get_parts(merged)]
-        straight, wide = (
-            shapely.union_all(
-                [
-                    shapely.buffer(line, far, cap_style=cap, join_style="mitre")
-                    for line, far in zip(shapely.get_parts(merged), out, strict=True)
-                ]
-            )
-            for cap in ("flat", "square")
-        )
-        # in the air there is room to turn to both sides
-        in_air = shapely.difference(wide, grow(stock, cutter_radius + APART))
-        self._strips = shapely.union(straight, in_air)
+        sides = shapely.line_merge(self._edge) if len(lines) > 1 else self._edge
+        outline = Polygon(geometry.polygon(floor, sag).exterior)
+        *less, most = (_strips(sides, stock, cutter_radius, share) for share in OVER)
+        cleared = self._cleared(outline, most, floor.z)
+        self._strips = most
+        for strips in less:
+            lost = shapely.difference(cleared, self._cleared(outline, strips, floor.z))
+            if shapely.buffer(lost, -HAIR).is_empty:
+                self._strips = strips
+                break
 
     def widened(self, free: Polygon, z: float) -> Polygon:
         """Return what is free inside of the floor's edge at Z `z`, and what is beyond it."""
         filled = Polygon(free.exterior)
-        around = self._strips.buffer(2 * self._inset)
-        standing = [self._standing(solid, around, z) for solid in self._solids]
-        kept_off = grow(shapely.union_all(standing), self._inset + APART)
-        # a wall that ends at the edge aslant is cut to its end from inside of the floor
-        inside = shapely.intersection(filled, shapely.buffer(self._edge, self._inset))
-        centers = shapely.difference(shapely.union(self._strips, inside), kept_off)
+        ways = self._ways(filled, self._strips, z)
+        beyond = shapely.difference(grow(ways, self._inset), filled)
         near = shapely.buffer(self._edge, OVERLAP)
-        ways = [p for p in polygons_of(centers) if p.intersects(near)]
-        if not ways:
-            return free
-        beyond = shapely.difference(grow(shapely.union_all(ways), self._inset), filled)
         parts = [p for p in polygons_of(beyond) if p.intersects(near)]
         return polygons_of(shapely.union_all([free, *(p.buffer(OVERLAP) for p in parts)]))[0]
+
+    def _cleared(self, outline: Polygon, strips: shapely.Geometry, z: float) -> shapely.Geometry:
+        """Return what of the floor is cleared from beyond its edge."""
+        return shapely.intersection(grow(self._ways(outline, strips, z), self._inset), outline)
+
+    def _ways(self, filled: Polygon, strips: shapely.Geometry, z: float) -> shapely.Geometry:
+        """Return where the center may be in strips and beside them in the floor."""
+        around = strips.buffer(2 * self._inset)
+        standing = [self._standing(solid, around, z) for solid in self._solids]
+        kept_off = grow(shapely.union_all(standing), self._inset + APART)
+        inside = shapely.intersection(filled, shapely.buffer(self._edge, self._inset))
+        centers = shapely.difference(shapely.union(strips, inside), kept_off)
+        near = shapely.buffer(self._edge, OVERLAP)
+        return shapely.union_all([p for p in polygons_of(centers) if p.intersects(near)])
 
     def _standing(self, solid: Any, area: shapely.Geometry, z: float) -> shapely.Geometry:
         """Return the ground in an area on or under which a solid stands or hangs above `z`."""
@@ -124,9 +129,24 @@ def outline_of_stock(shape: Any) -> Polygon:
     return shapely.buffer(hull, STOCK_SAG, join_style="mitre")
 
 
-def _way_out(line: shapely.LineString, stock: Polygon, radius: float) -> float:
-    """Return how far the cutter's center may go beyond an open side [mm]."""
+def _strips(
+    sides: shapely.Geometry, stock: Polygon, radius: float, share: float
+) -> shapely.Geometry:
+    """Return where the center may go beyond open sides; `share` of R where stock goes on there."""
+    solid = grow(stock, radius + APART)
+    strips = []
+    for line in shapely.get_parts(sides):
+        margin = _margin(line, stock)
+        far = margin + BEYOND * radius if margin <= 2 * radius else share * radius
+        strips.append(shapely.buffer(line, far, cap_style="flat", join_style="mitre"))
+        # in the air there is room to turn to both sides
+        wide = shapely.buffer(line, far, cap_style="square", join_style="mitre")
+        strips.append(shapely.difference(wide, solid))
+    return shapely.union_all(strips)
+
+
+def _margin(line: shapely.LineString, stock: Polygon) -> float:
+    """Return how much stock there is beyond an open side at most [mm]."""
     places = shapely.points(shapely.get_coordinates(shapely.segmentize(line, 1.0)))
     inside = shapely.contains(stock, places)
-    margin = float(shapely.distance(stock.exterior, places[inside]).max(initial=0.0))
-    return margin + BEYOND * radius if margin <= 2 * radius else OVER * radius
+    return float(shapely.distance(stock.exterior, places[inside]).max(initial=0.0))
