@@ -14,11 +14,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from .engine.errors import SetupError
 from .engine.levels import levels_of
 from .engine.model import Floats, Plan
+from .engine.region import polygons_of
 from .engine.toolpath import Kind, Role
 
 if TYPE_CHECKING:
@@ -96,6 +98,9 @@ def _draw_pocket(axes: Axes, plan: Plan) -> None:
     pocket, mouth = plan.request.pocket, _mouth(plan)
     axes.fill(*np.array(mouth.exterior.coords).T, facecolor=SLOPE, edgecolor=OUTLINE, lw=0.6)
     axes.fill(*np.array(pocket.exterior.coords).T, facecolor=WALL, edgecolor=OUTLINE, lw=1.2)
+    if plan.request.stock is not None:
+        for part in polygons_of(shapely.difference(pocket, plan.request.stock)):
+            axes.fill(*np.array(part.exterior.coords).T, facecolor="white", edgecolor=SLOPE, lw=1.2)
     for island in pocket.interiors:
         axes.fill(*np.array(island.coords).T, facecolor=ISLAND, edgecolor=OUTLINE, lw=1.2, zorder=3)
     uncut = plan.report.uncut

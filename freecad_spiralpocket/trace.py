@@ -120,12 +120,14 @@ def areas_of(plan: Plan) -> Areas:
     left = shapely.get_parts(shapely.difference(wanted, cleared))
     left = left[shapely.area(left) > TOLD_LEFT * np.pi * radius**2]
     islands = [Polygon(ring) for ring in request.pocket.interiors]
-    rings = (request.pocket.exterior, *request.pocket.interiors)
+    walls = request.pocket.boundary
+    if request.stock is not None:
+        walls = shapely.line_merge(shapely.intersection(walls, request.stock))
     return Areas(
         cleared=pieces_without_holes(shapely.get_parts(cleared)),
         left=pieces_without_holes(left),
         islands=pieces_without_holes(islands),
-        walls=tuple(shapely.get_coordinates(ring) for ring in rings),
+        walls=tuple(shapely.get_coordinates(line) for line in shapely.get_parts(walls)),
     )
 
 
