@@ -35,38 +35,47 @@ _PICK_A_FLOOR = "Select the floor of the pocket, a flat level face with walls ar
 
 
 class Neighbors:
-    """Which faces of a solid meet, and how high each reaches.
+    """The faces of a solid by number: which of them meet, and how high each reaches.
 
     FreeCAD makes the edges of a face, and computes its box, anew whenever it is asked: with
-    hundreds of walls that takes longer than the rest.
+    thousands of walls that takes longer than the rest.
+
+    Attributes
+    ----------
+    faces : list of Part.Face
     """
 
     def __init__(self, solid: Any) -> None:
-        self._at: dict[int, list[Any]] = {}
-        self._around: dict[int, list[int]] = {}
+        self.faces: list[Any] = solid.Faces
+        self._numbers = {face.hashCode(): i for i, face in enumerate(self.faces)}
+        self._at: dict[int, list[int]] = {}
+        self._edges: list[list[int]] = []
         self._heights: dict[int, tuple[float, float]] = {}
-        for face in solid.Faces:
-            edges = [edge.hashCode() for edge in face.Edges]
-            self._around[face.hashCode()] = edges
+        for i, face in enumerate(self.faces):
+            # the edges of wires in their order come sooner than those of faces
+            edges = [edge.hashCode() for wire in face.Wires for edge in wire.OrderedEdges]
+            self._edges.append(edges)
             for edge in edges:
-                self._at.setdefault(edge, []).append(face)
+                self._at.setdefault(edge, []).append(i)
 
-    def at(self, edge: Any) -> list[Any]:
+    def number(self, face: Any) -> int | None:
+        """Return the number of a face, None if it is another solid's."""
+        return self._numbers.get(face.hashCode())
+
+    def at(self, edge: Any) -> list[int]:
         """Return the faces at an edge."""
         return self._at.get(edge.hashCode(), [])
 
-    def around(self, face: Any) -> Iterator[Any]:
-        """Yield the faces at each edge of a face, itself among them."""
-        for edge in self._around[face.hashCode()]:
-            yield from self._at[edge]
+    def around(self, face: int) -> set[int]:
+        """Return the faces at the edges of a face, itself among them."""
+        return {other for edge in self._edges[face] for other in self._at[edge]}
 
-    def heights(self, face: Any) -> tuple[float, float]:
+    def heights(self, face: int) -> tuple[float, float]:
         """Return Z of the lowest and of the highest point of a face [mm]."""
-        key = face.hashCode()
-        if key not in self._heights:
-            box = face.BoundBox
-            self._heights[key] = box.ZMin, box.ZMax
-        return self._heights[key]
+        if face not in self._heights:
+            box = self.faces[face].BoundBox
+            self._heights[face] = box.ZMin, box.ZMax
+        return self._heights[face]
 
 
 @dataclass(frozen=True)
@@ -145,11 +154,7 @@ def floor(model: Any, name: str, known: dict[int, Neighbors] | None = None) -> F
     if face.ShapeType != "Face":
         raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
     _check_level(face, where)
-    solid = _solid_of(model.Shape, face, where)
-    known = {} if known is None else known
-    if solid.hashCode() not in known:
-        known[solid.hashCode()] = Neighbors(solid)
-    neighbors = known[solid.hashCode()]
+    solid, neighbors = _solid_of(model.Shape, face, where, {} if known is None else known)
     edges = face.OuterWire.Edges
     walled = sum(wall_rises(neighbors, face, e) for e in edges)
     if not walled and not any(wall_rises(neighbors, face, e) for e in face.Edges):
@@ -227,23 +232,32 @@ def _normal_of_plane(face: Any) -> Any:
     return face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
 
 
-def _solid_of(shape: Any, face: Any, where: str) -> Any:
-    """Return the closed solid that `face` bounds."""
-    owners = [s for s in shape.Solids if any(face.isSame(f) for f in s.Faces)]
-    if not owners or not all(shell.isClosed() for shell in owners[0].Shells):
-        raise SelectionError(
-            f"The part with {where} is an open shell, not a closed solid.",
-            "Close it first (Part workbench, Check Geometry and Convert to Solid).",
-        )
-    return owners[0]
+def _solid_of(
+    shape: Any, face: Any, where: str, known: dict[int, Neighbors]
+) -> tuple[Any, Neighbors]:
+    """Return the closed solid that `face` bounds, and the neighbors in it."""
+    for solid in shape.Solids:
+        key = solid.hashCode()
+        if key not in known:
+            known[key] = Neighbors(solid)
+        if known[key].number(face) is None:
+            continue
+        if all(shell.isClosed() for shell in solid.Shells):
+            return solid, known[key]
+        break
+    raise SelectionError(
+        f"The part with {where} is an open shell, not a closed solid.",
+        "Close it first (Part workbench, Check Geometry and Convert to Solid).",
+    )
 
 
 def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:
     """Return whether material rises from `edge` of the level face `face`."""
-    neighbor = next((f for f in neighbors.at(edge) if not f.isSame(face)), None)
-    if neighbor is None:
+    own = neighbors.number(face)
+    other = next((n for n in neighbors.at(edge) if n != own), None)
+    if other is None:
         return False
-    z, (low, high) = edge.BoundBox.ZMin, neighbors.heights(neighbor)
+    z, (low, high) = edge.BoundBox.ZMin, neighbors.heights(other)
     above, below = high > z + SAME_HEIGHT, low < z - SAME_HEIGHT
     if above != below:
         return bool(above)
@@ -256,6 +270,7 @@ def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:
     inward.normalize()
     if not face.isInside(point + inward * _ASIDE, _ASIDE / 10, True):
         inward = inward * -1
+    neighbor = neighbors.faces[other]
     lean = neighbor.normalAt(*neighbor.Surface.parameter(point)).dot(inward)
     if abs(lean) > _TANGENT:
         return lean > 0

@@ -68,7 +68,9 @@ class Walls:
         self._free: dict[float, Polygon | None] = {}
         self._down: dict[int, bool] = {}
         self._plain: dict[float, bool] = {}
-        self._around = list(self._reached())
+        reached = list(self._reached())
+        self._around = [self._neighbors.faces[face] for face in reached]
+        self._heights = [self._neighbors.heights(face) for face in reached]
         self._fence = _fence(floor, sag) if floor.open_edges else None
         self._open = open_sides
 
@@ -81,12 +83,11 @@ class Walls:
 
     def are_plain(self, top: float) -> bool:
         """Return whether all walls are vertical and rise to Z `top`, or end together below it."""
-        heights = [self._neighbors.heights(face) for face in self._around]
-        rim = min(top, max((high for _, high in heights), default=top))
+        rim = min(top, max((high for _, high in self._heights), default=top))
         if rim not in self._plain:
             self._plain[rim] = all(
                 (low > rim - SAME_HEIGHT and is_level(face)) or is_vertical(face)
-                for face, (low, _) in zip(self._around, heights, strict=True)
+                for face, (low, _) in zip(self._around, self._heights, strict=True)
             )
         return self._plain[rim]
 
@@ -108,43 +109,42 @@ class Walls:
                 found.append((z, place_on(face)))
         return found
 
-    def _reached(self) -> Iterator[Any]:
+    def _reached(self) -> Iterator[int]:
         """Yield the faces above the floor, from edge to edge; none beyond a level top."""
-        floor = self._floor
+        floor, neighbors = self._floor, self._neighbors
         wires = [w for w in floor.face.Wires if self._is_wall(w)]
-        seen = {floor.face.hashCode()}
+        seen = {neighbors.number(floor.face)}
         front = [
             face
             for wire in wires
             for edge in wire.Edges
-            if wall_rises(floor.neighbors, floor.face, edge)
-            for face in self._neighbors.at(edge)
+            if wall_rises(neighbors, floor.face, edge)
+            for face in neighbors.at(edge)
         ]
         while front:
             face = front.pop()
-            key = face.hashCode()
-            if key in seen:
+            if face in seen:
                 continue
-            seen.add(key)
-            low, high = self._neighbors.heights(face)
+            seen.add(face)
+            low, high = neighbors.heights(face)
             if high < floor.z + SAME_HEIGHT:
                 continue
             yield face
-            if high - low <= SAME_HEIGHT and is_level(face) and self._is_summit(face):
-                continue
-            front += self._neighbors.around(face)
+            is_flat = high - low <= SAME_HEIGHT and is_level(neighbors.faces[face])
+            if not (is_flat and self._is_summit(face)):
+                front += neighbors.around(face) - seen
 
-    def _is_summit(self, face: Any) -> bool:
+    def _is_summit(self, face: int) -> bool:
         """Return whether nothing rises from a level face."""
-        z = self._neighbors.heights(face)[1] + SAME_HEIGHT
-        if not any(self._neighbors.heights(f)[1] > z for f in self._neighbors.around(face)):
+        neighbors = self._neighbors
+        z = neighbors.heights(face)[1] + SAME_HEIGHT
+        if not any(neighbors.heights(f)[1] > z for f in neighbors.around(face)):
             return True
+        flat = neighbors.faces[face]
         higher = (
-            e
-            for e in face.Edges
-            if any(self._neighbors.heights(f)[1] > z for f in self._neighbors.at(e))
+            e for e in flat.Edges if any(neighbors.heights(f)[1] > z for f in neighbors.at(e))
         )
-        return not any(wall_rises(self._neighbors, face, e) for e in higher)
+        return not any(wall_rises(neighbors, flat, e) for e in higher)
 
     def _is_wall(self, wire: Any) -> bool:
         return not self._use_outline or wire.isSame(self._floor.face.OuterWire)
