@@ -112,10 +112,8 @@ def areas_of(plan: Plan) -> Areas:
     """Return what of the floor is cleared, and what stays."""
     request, uncut = plan.request, plan.report.uncut
     radius, stock = request.cutter_radius, request.cutting.stock_to_leave
-    reach = reachable_floor(request.pocket, radius, stock)
-    wanted = request.pocket.buffer(-stock) if stock else request.pocket
-    if request.stock is not None:
-        reach, wanted = (shapely.intersection(area, request.stock) for area in (reach, wanted))
+    reach = request.to_clear(reachable_floor(request.pocket, radius, stock))
+    wanted = request.to_clear(request.pocket.buffer(-stock) if stock else request.pocket)
     cleared = shapely.difference(reach, uncut)
     left = shapely.get_parts(shapely.difference(wanted, cleared))
     left = left[shapely.area(left) > TOLD_LEFT * np.pi * radius**2]

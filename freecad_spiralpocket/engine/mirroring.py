@@ -19,9 +19,10 @@ def mirrored(shape: Polygon) -> Polygon:
 
 def mirrored_request(request: PocketRequest) -> PocketRequest:
     """Return a request with the places that a strategy looks at in the mirror."""
-    start, stock = request.start_point, request.stock
+    start, stock, beyond = request.start_point, request.stock, request.beyond
     return replace(
         request,
         start_point=None if start is None else (-start[0], start[1]),
         stock=None if stock is None else mirrored(stock),
+        beyond=None if beyond is None else scale(beyond, -1.0, 1.0, origin=(0.0, 0.0)),
     )

@@ -25,7 +25,7 @@ from .errors import tell
 from .stepover import engagement_angle
 
 if TYPE_CHECKING:
-    from shapely import MultiPolygon, Polygon
+    from shapely import Geometry, MultiPolygon, Polygon
 
     from .machine import Machine
     from .toolpath import Toolpath
@@ -207,6 +207,8 @@ class PocketRequest:
     stock : shapely.Polygon or None
         Outline of the stock, convex [mm]; beyond it is air, where the pocket may reach to: at
         open sides. None: there is stock everywhere.
+    beyond : shapely.Polygon or MultiPolygon or None
+        Ground of the pocket beyond its open sides, which may be cut but need not be [mm].
     sections : tuple of Section
         The levels from the top down, where walls are slanted or stepped; the last is the floor
         with `pocket` itself. Empty for vertical walls: then the heights give the levels.
@@ -224,6 +226,7 @@ class PocketRequest:
     machine: Machine | None = None
     start_point: tuple[float, float] | None = None
     stock: Polygon | None = None
+    beyond: Polygon | MultiPolygon | None = None
     sections: tuple[Section, ...] = ()
 
     @property
@@ -240,6 +243,11 @@ class PocketRequest:
     def link_feed(self) -> float:
         """Return the feed of links at depth [mm/s]."""
         return self.feed_plan.link_feed or self.feeds.horizontal_rapid
+
+    def to_clear(self, ground: Geometry) -> Geometry:
+        """Return what of some ground of the pocket shall be cleared: stock, not beyond it."""
+        ground = ground if self.beyond is None else ground.difference(self.beyond)
+        return ground if self.stock is None else ground.intersection(self.stock)
 
     @property
     def cutter_radius(self) -> float:

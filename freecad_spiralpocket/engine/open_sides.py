@@ -20,11 +20,11 @@ from .region import grow, polygons_of
 from .shaping import Region, buffer, largest, oriented, welded
 from .starts import Start, candidates
 
-#: What begins within goes so far out of the stock, over R; the first that leaves nothing standing.
-#: Round a boss it need not leave the stock at all; where a wall ends at its side it has to.
+#: What begins within goes so far beyond what shall be cleared, over R; the first that leaves
+#: nothing standing. Round a boss it need not go out; where a wall ends at the side it has to.
 OVERHANGS = (-0.9, -0.7, -0.4, 0.02, 0.3, 1.0)
 #: What is thinner than twice this is left by rounding alone [mm].
-HAIR = 0.005
+HAIR = 0.01
 #: In the air the cutter keeps off the stock by this [mm].
 CLEAR = 0.01
 #: It goes down where it has so much room around, and begins so far before the first stroke, over R.
@@ -43,12 +43,12 @@ def needed(region: Polygon, request: PocketRequest) -> Polygon:
     region : shapely.Polygon
     request : PocketRequest
     """
-    stock, radius = request.stock, request.cutter_radius
-    if stock is None or stock.covers(region):
+    radius, ground = request.cutter_radius, request.to_clear(request.pocket)
+    if ground.equals(request.pocket):
         return region
-    wanted = shapely.intersection(grow(region, radius), stock)
+    wanted = request.to_clear(grow(region, radius))
     for share in OVERHANGS:
-        part = shapely.intersection(region, buffer(stock, share * radius))
+        part = shapely.intersection(region, buffer(ground, share * radius))
         if part.is_empty:
             continue
         inner = largest(part)

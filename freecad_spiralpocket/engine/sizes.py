@@ -12,19 +12,20 @@ from collections.abc import Sequence
 from dataclasses import fields, replace
 from typing import Any, TypeVar
 
-from shapely import Polygon
+from shapely import Geometry
 from shapely.affinity import scale
 
 from .floor import FloorPath, Helix, Pass, Plunge, Slot, WayDown
 from .machine import MIDDLING, Axes, Machine
 from .model import Feeds, Heights, PocketRequest, Section
 
+Shape = TypeVar("Shape", bound=Geometry)
 #: A dataclass.
 Record = TypeVar("Record")
 
 
-def resized(shape: Polygon, factor: float) -> Polygon:
-    """Return a polygon with all coordinates times `factor`."""
+def resized(shape: Shape, factor: float) -> Shape:
+    """Return a shape with all coordinates times `factor`."""
     return scale(shape, factor, factor, origin=(0.0, 0.0))
 
 
@@ -44,6 +45,7 @@ def resized_request(request: PocketRequest, factor: float) -> PocketRequest:
         machine=resized_machine(request.machine or MIDDLING, factor),
         start_point=None if start is None else (factor * start[0], factor * start[1]),
         stock=None if request.stock is None else resized(request.stock, factor),
+        beyond=None if request.beyond is None else resized(request.beyond, factor),
         sections=tuple(_resized_section(section, factor) for section in request.sections),
     )
 

@@ -27,6 +27,7 @@ from .entry import WIDEST, fit_helix_radius
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot, WayDown
 from .graphs import delaunay_triangles, spanning_tree
+from .groove import rooms_of
 from .model import Floats, PocketRequest
 from .outline import outline_of
 from .polyline import points_at
@@ -55,6 +56,8 @@ STRAIGHT = 0.4
 CAPPED = 0.95
 #: Half the distance between the ways forth and back of a groove, over D.
 GROOVE_HALF_WIDTH = 0.08
+#: At each tip of a groove there is at least so much room for its ramp, over R.
+LEAST_ROOM = 0.1
 #: Radius of reentrant curves of the racetrack, over R; the first that leaves no post.
 ROUNDINGS = (1.0, 0.5)
 #: The same for the ring round islands.
@@ -258,6 +261,8 @@ def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketReques
     others = sorted(ring.project(Point(t)) for t in np.delete(tips, first, axis=0))
     feet, trunk = feet_between(ring, others, axis, edges)
     groove = Groove(points, tuple(others), tuple(feet), trunk, slot_bite(request))
+    if min(rooms_of(groove, ring.length)) < LEAST_ROOM * request.cutter_radius:
+        return None  # a tip at the foot of its own branch
     return Start("groove", visited, region, groove, ring)
 
 

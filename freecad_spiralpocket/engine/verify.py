@@ -122,9 +122,7 @@ def _uncut(request: PocketRequest, levels: Sequence[Level], pieces: Pieces) -> M
     r, left = request.cutter_radius, []
     for pocket, members in _alike(levels):
         bottom = levels[members[-1]].bottom
-        reach = reachable_floor(pocket, r, request.cutting.stock_to_leave)
-        if request.stock is not None:
-            reach = shapely.intersection(reach, request.stock)
+        reach = request.to_clear(reachable_floor(pocket, r, request.cutting.stock_to_leave))
         here = pieces.select(pieces.heights >= bottom - SAME_HEIGHT)
         standing = uncut_floor(reach, here, bottom, r, request.tolerance)
         if not standing.is_empty and len(here) < len(pieces):

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+import Part
 import shapely
 from shapely import MultiPoint, Polygon
 
@@ -126,7 +127,8 @@ def outline_of_stock(shape: Any) -> Polygon:
     """Return the convex outline of a job's stock, seen from above."""
     corners, _ = shape.tessellate(STOCK_SAG)
     hull = MultiPoint(np.array([tuple(c)[:2] for c in corners])).convex_hull
-    return shapely.buffer(hull, STOCK_SAG, join_style="mitre")
+    is_flat = all(isinstance(face.Surface, Part.Plane) for face in shape.Faces)
+    return hull if is_flat else shapely.buffer(hull, STOCK_SAG, join_style="mitre")
 
 
 def _strips(

@@ -175,7 +175,7 @@ class Pockets:
         above = self._known[key]
         depth = request.final_depth(self._obj, floor.z, self._deepest)
         stock = beyond.stock if beyond else None
-        wanted = request.build(self._obj, above.outline, depth, stock)
+        wanted = request.build(self._obj, above.outline, depth, stock, above.beyond)
         others = [other for other in floors if other is not floor]
         fitted = sections.fitted(wanted, floor, above, others, sag)
         self._overhung[floor.label] = above.outline.area - fitted.pocket.area

@@ -33,7 +33,7 @@ from . import preferences
 from .selection import SAME_HEIGHT
 
 if TYPE_CHECKING:
-    from shapely import Polygon
+    from shapely import MultiPolygon, Polygon
 
 #: Feed for planning where the tool controller has none [mm/s]; it never reaches the path.
 STAND_IN_FEED = 10.0
@@ -104,10 +104,16 @@ def start_point(obj: Any, pocket: Polygon) -> tuple[float, float] | None:
     return (x, y) if pocket.intersects(Point(x, y)) else None
 
 
-def build(obj: Any, pocket: Polygon, depth: float, stock: Polygon | None = None) -> PocketRequest:
+def build(
+    obj: Any,
+    pocket: Polygon,
+    depth: float,
+    stock: Polygon | None = None,
+    beyond: Polygon | MultiPolygon | None = None,
+) -> PocketRequest:
     """Return the request for one pocket that is cut to `depth` with the operation `obj`.
 
-    `stock` is the stock's outline where the pocket reaches out of it.
+    `stock` and `beyond` are for pockets with open sides, see `PocketRequest`.
     """
     return PocketRequest(
         pocket=pocket,
@@ -144,4 +150,5 @@ def build(obj: Any, pocket: Polygon, depth: float, stock: Polygon | None = None)
         machine=machine(obj.Machine),
         start_point=start_point(obj, pocket),
         stock=stock,
+        beyond=beyond,
     )

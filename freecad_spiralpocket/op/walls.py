@@ -81,6 +81,11 @@ class Walls:
             return self._outline
         return self._open.widened(self._outline, self._floor.z)
 
+    @property
+    def beyond(self) -> shapely.Geometry | None:
+        """Return what of the outline lies beyond the floor's open sides."""
+        return None if self._open is None else shapely.difference(self.outline, self._outline)
+
     def are_plain(self, top: float) -> bool:
         """Return whether all walls are vertical and rise to Z `top`, or end together below it."""
         rim = min(top, max((high for _, high in self._heights), default=top))
