@@ -17,6 +17,21 @@ def points_at(line: LineString, at: Floats) -> Floats:
     return np.stack([np.interp(at, along, coords[:, i]) for i in (0, 1)], axis=-1)
 
 
+def located(line: LineString, points: Floats) -> Floats:
+    """Return how far along a line it is nearest to each of many points, shape (n,) [mm].
+
+    `shapely.line_locate_point` looks at the whole line for each.
+    """
+    coords = shapely.get_coordinates(line)
+    steps = np.diff(coords, axis=0)
+    lengths = np.hypot(*steps.T)
+    tree = shapely.STRtree(shapely.linestrings(np.stack([coords[:-1], coords[1:]], axis=1)))
+    which = tree.query_nearest(shapely.points(points), all_matches=False)[1]
+    share = ((points - coords[which]) * steps[which]).sum(axis=1)
+    share = share / np.maximum(lengths[which], 1e-12) ** 2
+    return np.cumsum(lengths)[which] - (1 - np.clip(share, 0.0, 1.0)) * lengths[which]
+
+
 def locate(line: LineString, points: Floats) -> Floats:
     """Return how far along a line it is nearest to each of a row of points, shape (n,) [mm].
 

@@ -25,6 +25,7 @@ from shapely import Polygon
 from .graphs import delaunay_triangles, shortest_paths
 from .model import Floats
 from .nearest import nearest
+from .polyline import points_at
 
 #: Pairs of node indices.
 Edges: TypeAlias = list[tuple[int, int]]
@@ -121,7 +122,7 @@ def _voronoi(samples: Floats) -> tuple[Floats, NDArray[np.intp], NDArray[np.intp
 def _ring_samples(ring: shapely.LinearRing, spacing: float) -> Floats:
     count = max(12, math.ceil(ring.length / spacing))
     at = np.arange(count) * ring.length / count
-    return shapely.get_coordinates(shapely.line_interpolate_point(ring, at))
+    return points_at(ring, at)
 
 
 def _boundary_distances(rings: list[Floats], pairs: NDArray[np.intp]) -> Floats:

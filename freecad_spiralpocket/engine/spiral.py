@@ -239,6 +239,9 @@ def without_air(points: Floats, stock: Region, reach: float) -> Floats | None:
     earliest = earliest[earliest < len(points)]
     first, needed = int(earliest.min()), int(earliest.max()) + 1
     # between the samples a little may stand yet
+    rest = LineString(points[first:])
+    if shapely.difference(stock, shapely.buffer(rest, reach, quad_segs=32)).area >= CRUMB:
+        return None
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
     while True:
         way = LineString(points[first : needed + 1])

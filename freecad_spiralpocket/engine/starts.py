@@ -30,7 +30,7 @@ from .graphs import delaunay_triangles, spanning_tree
 from .groove import rooms_of
 from .model import Floats, PocketRequest
 from .outline import outline_of
-from .polyline import points_at
+from .polyline import located, points_at
 from .shaping import buffer, largest, oriented
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
@@ -301,7 +301,7 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     if len(deep) == 0:  # too narrow for an axis
         deep = shapely.get_coordinates(outline.ring)
     zone = BLEND * request.cutter_radius
-    leaves = shapely.line_locate_point(outline.ring, shapely.points(deep)) - zone / 2
+    leaves = located(outline.ring, deep) - zone / 2
     bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
     leaves = leaves[bent <= max(STRAIGHT, float(bent.min()))]
     # programs come from the origin
