@@ -32,6 +32,12 @@ def two_depths():
     return shape.cut(Part.makeCylinder(9, 10, FreeCAD.Vector(50, 10, -3)))
 
 
+def boss():
+    shape = Part.makeBox(60, 40, DEPTH + 4, FreeCAD.Vector(0, 0, -DEPTH - 4))
+    around = Part.makeBox(80, 60, DEPTH + 1, FreeCAD.Vector(-10, -10, -DEPTH))
+    return shape.cut(around.cut(Part.makeCylinder(8, 20, FreeCAD.Vector(25, 20, -10)))).Solids[0]
+
+
 #: The part, the heights of the floors to cut, and the operation's values.
 PROGRAMS = {
     "rectangle": (lambda: block(area(rectangle(40, 28, 5))), [-DEPTH], {}),
@@ -59,7 +65,10 @@ PROGRAMS = {
         {"Strategy": "Linear Morph"},
     ),
     "two depths": (two_depths, [-DEPTH, -3], {"StepDown": 4}),
+    "boss": (boss, [-DEPTH], {"StepDown": 3}),
 }
+#: Floors without outer walls, and how far the cutter's edge may leave them [mm].
+OPEN = {"boss": 14.0}
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
@@ -71,4 +80,4 @@ def test_program_is_written(doc, out_dir, name):
     op = api.add_spiral_pocket(job, [(part, names)], **values)
     assert motion(op) and not op.Proxy.errors
     floors = [(part.Shape.getElement(n), z) for n, z in zip(names, heights, strict=True)]
-    write(out_dir / "programs", name.replace(" ", "-"), op, floors)
+    write(out_dir / "programs", name.replace(" ", "-"), op, floors, OPEN.get(name, 0.0))

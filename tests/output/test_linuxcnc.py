@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shapely
-from shapely import LineString, Point, Polygon
+from shapely import LineString, Point, Polygon, box
 
 FOLDER = Path(os.environ.get("SPIRALPOCKET_OUT", "nowhere"), "programs")
 PROGRAMS = sorted(FOLDER.glob("*.ngc"))
@@ -156,7 +156,8 @@ def test_rapids_touch_no_stock(program):
             swept = LineString(move.points[:, :2]).buffer(cutter - GOUGE)
             low = [p for p in cut if p[:, 2].max() <= height + ROUNDED]
             near = [LineString(p) for p in low if is_near(p, swept.bounds, cutter)]
-            free = shapely.unary_union([line.buffer(cutter) for line in near])
+            air = box(*swept.bounds).buffer(1.0).difference(box(*program.part["stock"]))
+            free = shapely.unary_union([air, *(line.buffer(cutter) for line in near)])
             assert free.covers(swept), f"rapid at {move.points[0]} runs into stock"
 
 
