@@ -74,6 +74,8 @@ class OpenSides:
         sides = shapely.line_merge(self._edge) if len(lines) > 1 else self._edge
         outline = Polygon(geometry.polygon(floor, sag).exterior)
         *less, most = (_strips(sides, stock, cutter_radius, share) for share in OVER)
+        self._around = shapely.buffer(most, 2 * self._inset)
+        self._kept_off: dict[float, shapely.Geometry] = {}
         cleared = self._cleared(outline, most, floor.z)
         self._strips = most
         for strips in less:
@@ -97,20 +99,20 @@ class OpenSides:
 
     def _ways(self, filled: Polygon, strips: shapely.Geometry, z: float) -> shapely.Geometry:
         """Return where the center may be in strips and beside them in the floor."""
-        around = strips.buffer(2 * self._inset)
-        standing = [self._standing(solid, around, z) for solid in self._solids]
-        kept_off = grow(shapely.union_all(standing), self._inset + APART)
+        if z not in self._kept_off:
+            standing = [self._standing(solid, z) for solid in self._solids]
+            self._kept_off[z] = grow(shapely.union_all(standing), self._inset + APART)
         inside = shapely.intersection(filled, shapely.buffer(self._edge, self._inset))
-        centers = shapely.difference(shapely.union(strips, inside), kept_off)
+        centers = shapely.difference(shapely.union(strips, inside), self._kept_off[z])
         near = shapely.buffer(self._edge, OVERLAP)
         return shapely.union_all([p for p in polygons_of(centers) if p.intersects(near)])
 
-    def _standing(self, solid: Any, area: shapely.Geometry, z: float) -> shapely.Geometry:
-        """Return the ground in an area on or under which a solid stands or hangs above `z`."""
-        faces = list(over(solid.Faces, area, z))
+    def _standing(self, solid: Any, z: float) -> shapely.Geometry:
+        """Return the ground near the strips on or under which a solid stands or hangs at `z`."""
+        faces = list(over(solid.Faces, self._around, z))
         if not faces:
             return Polygon()
-        here = shapely.intersection(solid_section(solid, z, self._sag), area)
+        here = shapely.intersection(solid_section(solid, z, self._sag), self._around)
         return shapely.union(here, shadow(filter(looks_down, faces), z))
 
 

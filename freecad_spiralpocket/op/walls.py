@@ -73,18 +73,19 @@ class Walls:
         self._heights = [self._neighbors.heights(face) for face in reached]
         self._fence = _fence(floor, sag) if floor.open_edges else None
         self._open = open_sides
+        self._widened = self._outline
+        if open_sides is not None:
+            self._widened = open_sides.widened(self._outline, floor.z)
 
     @property
     def outline(self) -> Polygon:
         """Return the floor's own outline, and what lies beyond its open sides."""
-        if self._open is None:
-            return self._outline
-        return self._open.widened(self._outline, self._floor.z)
+        return self._widened
 
     @property
     def beyond(self) -> shapely.Geometry | None:
         """Return what of the outline lies beyond the floor's open sides."""
-        return None if self._open is None else shapely.difference(self.outline, self._outline)
+        return None if self._open is None else shapely.difference(self._widened, self._outline)
 
     def are_plain(self, top: float) -> bool:
         """Return whether all walls are vertical and rise to Z `top`, or end together below it."""
