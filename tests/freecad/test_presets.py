@@ -29,6 +29,7 @@ OTHERS = {
     "SlotBite": 0.5,
     "FinishingProfile": False,
     "UseOutline": True,
+    "ExtendOpenSides": False,
 }
 
 
