@@ -66,6 +66,14 @@ PARTS = {
 }
 
 
+#: Each part with the millimeter of stock that a job adds, some with none and with much.
+CASES = [
+    *((name, 1.0) for name in PARTS),
+    *((name, 0.0) for name in ("notch", "boss")),
+    *((name, 20.0) for name in ("widening", "narrowing")),
+]
+
+
 def job_of(doc, *shapes, beside=1.0, diameter=2 * R):
     parts = [add_part(doc, shape) for shape in shapes]
     job = add_job(doc, *parts, diameter=diameter)
@@ -84,8 +92,7 @@ def floor_of(part):
     return geometry.polygon(floor, 0.002)
 
 
-@pytest.mark.parametrize("beside", [0.0, 1.0, 20.0])
-@pytest.mark.parametrize("name", PARTS)
+@pytest.mark.parametrize(("name", "beside"), CASES)
 def test_floor_is_cleared_to_its_edge_and_nothing_else_is_cut(doc, name, beside):
     shape = PARTS[name]()
     job, part = job_of(doc, shape, beside=beside)
