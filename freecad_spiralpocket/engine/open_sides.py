@@ -9,9 +9,13 @@ within is simulated, as for all starts. What begins within has nothing to do out
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 import shapely
 from shapely import LineString, Point, Polygon
+from shapely.ops import substring
 
 from .errors import CutterDoesNotFitError
 from .floor import Plunge
@@ -19,6 +23,7 @@ from .model import Floats, PocketRequest
 from .region import grow, polygons_of
 from .shaping import Region, buffer, largest, oriented, welded
 from .starts import Start, candidates
+from .strokes import Stroke
 
 #: What begins within goes so far beyond what shall be cleared, over R; the first that leaves
 #: nothing standing. Round a boss it need not go out; where a wall ends at the side it has to.
@@ -31,6 +36,8 @@ CLEAR = 0.01
 ROOM, BEFORE = 0.1, 0.5
 #: The air that counts as visited reaches so far, over R: farther than any fillet or closing.
 MARGIN = 4.0
+#: A stroke along a wall may be beyond it by this, as rounding has it [mm].
+ALONG = 0.005
 #: From so many sides peeling is tried, the widest ones.
 TRIED = 2
 
@@ -74,6 +81,24 @@ def starts_of(region: Polygon, request: PocketRequest) -> list[tuple[Start, Poly
         if not peeled:
             raise
     return peeled
+
+
+def strokes_within(strokes: Sequence[Stroke], region: Polygon) -> list[Stroke]:
+    """Return strokes without what of their ends lies in the air beside the region."""
+    here = buffer(region, ALONG)
+    shapely.prepare(here)
+    kept = []
+    for stroke in strokes:
+        line = LineString(stroke.points)
+        if stroke.closed or here.covers(line):
+            kept.append(stroke)
+            continue
+        ends = shapely.get_coordinates(shapely.intersection(line, here))
+        inside = shapely.line_locate_point(line, shapely.points(ends))
+        if len(inside) > 1:
+            part = substring(line, inside.min(), inside.max())
+            kept.append(replace(stroke, points=shapely.get_coordinates(part)))
+    return kept
 
 
 def _from_sides(

@@ -224,7 +224,8 @@ class Pockets:
 
     def _open_notice(self, plan: Plan) -> Notice:
         """Return what is to be told of a pocket with open sides."""
-        if plan.request.stock is None:
+        beyond = plan.request.beyond
+        if beyond is None or beyond.is_empty:  # something may stand there
             return Notice(
                 "The pocket is open at a side; the cutter stays within the floor there.",
                 "Set ExtendOpenSides, or clear that side with another operation.",

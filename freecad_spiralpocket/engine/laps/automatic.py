@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -30,10 +30,10 @@ from ..linking import Motion, link_times
 from ..machine import MIDDLING
 from ..model import Floats, PocketRequest, Tick
 from ..nearest import nearest
-from ..open_sides import needed, starts_of
+from ..open_sides import needed, starts_of, strokes_within
 from ..ordering import Step, order, runs_of
 from ..polyline import simplified
-from ..shaping import buffer, largest, oriented, thick_parts
+from ..shaping import largest, oriented, thick_parts
 from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
 from ..starts import Start
@@ -67,8 +67,6 @@ TIE = 0.07
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
 CUSP = 0.8
-#: A stroke along a wall may be beyond it by this, as rounding has it [mm].
-ALONG = 0.005
 #: A lift, over and down again takes about so long [s].
 LIFT_SECONDS = 3.0
 #: Points that matter less than this share of the tolerance are dropped.
@@ -277,7 +275,7 @@ def _steps(
     """Return the cutting runs and links that follow an entry."""
     radius = request.cutter_radius
     if isinstance(start.entry, Plunge):
-        strokes = _within(strokes, region)
+        strokes = strokes_within(strokes, region)
     mouths = _mouths(start, region, OVERRUN * radius)
     strokes = strokes + [Stroke(m, len(fronts), False, False) for m in mouths]
     opening = _rest_of_entry(start, strokes)
@@ -303,24 +301,6 @@ def _steps(
         ahead = following - here
     heading = ahead / np.hypot(*ahead)
     return opening + order(runs, cleared, region, here, heading, motion, radius, tick)
-
-
-def _within(strokes: list[Stroke], region: Polygon) -> list[Stroke]:
-    """Return strokes without what of their ends lies in the air beside the region."""
-    here = buffer(region, ALONG)
-    shapely.prepare(here)
-    kept = []
-    for stroke in strokes:
-        line = LineString(stroke.points)
-        if stroke.closed or here.covers(line):
-            kept.append(stroke)
-            continue
-        ends = shapely.get_coordinates(shapely.intersection(line, here))
-        inside = shapely.line_locate_point(line, shapely.points(ends))
-        if len(inside) > 1:
-            part = shapely.ops.substring(line, inside.min(), inside.max())
-            kept.append(replace(stroke, points=shapely.get_coordinates(part)))
-    return kept
 
 
 def _rest_of_entry(start: Start, strokes: list[Stroke]) -> list[Step]:
