@@ -22,10 +22,10 @@ from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
 from .clothoids import ClothoidPath, begin, half_corner, tangent_share, through
+from .ground import Ground
 from .linking import Motion, link_times
 from .model import Floats
 from .polyline import simplified
-from .routing import shortest_way
 
 #: Clothoids at both ends: length over R, and R times the curvature to which they tighten to the
 #: left, away from the stock, before they unwind. The first with which a link fits is taken.
@@ -129,7 +129,7 @@ def clothoid_way(
         out = _lead(start, lead, radius)
         back = _lead(_backwards(end), lead, radius, -1.0)
         (p, u), (q, v) = _tip(out), _tip(back)
-        way = shortest_way(p, q, cleared, cleared.near)
+        way = Ground(cleared, cleared.near, p).way_to(q)
         if way is None:
             continue
         for slack, i, j in product(WAY_SLACKS, WAY_REACHES, WAY_REACHES):

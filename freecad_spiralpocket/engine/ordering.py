@@ -21,7 +21,7 @@ from .cleared import ClearedMap
 from .linking import Motion, are_nervous, fine_link, hermite_links, link_times
 from .model import Floats
 from .polyline import points_at
-from .routing import back_along_ring, route
+from .routing import LongWays, back_along_ring
 from .shaping import Region, buffer
 from .spiral import (
     chains_of,
@@ -357,10 +357,7 @@ def _next(
     if np.hypot(*(starts[ready[0]] - start)) < TOUCHES:
         return np.empty((0, 2)), ready[0]
 
-    def around(i: int) -> Floats | None:
-        end, arriving = starts[i], headings[i]
-        return route(start, heading, end, arriving, cleared, fence, radius, motion.least_radius)
-
+    ways = LongWays(start, heading, cleared, fence, radius, motion.least_radius)
     for first in range(0, len(ready), TRIED):
         tried = ready[first : first + TRIED]
         paths = hermite_links(start, heading, starts[tried], headings[tried], radius)
@@ -375,12 +372,12 @@ def _next(
                 if not are_nervous(fine, motion):
                     return fine, i
                 # a long way round may take less than that stop
-                found = around(i)
+                found = ways.to(starts[i], headings[i])
                 if found is None or link_times(found, motion) > link_times(fine, motion):
                     return fine, i
                 return found, i
     for i in ready[:ROUTED]:
-        found = around(i)
+        found = ways.to(starts[i], headings[i])
         if found is not None:
             return found, i
     backs = [(i, back_along_ring(start, starts[i], cleared, fence)) for i in ready]

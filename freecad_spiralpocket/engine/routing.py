@@ -8,69 +8,156 @@ points, the closer it keeps to that way.
 
 from __future__ import annotations
 
-import heapq
-import math
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from .cleared import ClearedMap
 from .filters import dilated
+from .ground import COARSE, Ground
 from .model import Floats
 from .spiral import between
 
-#: Raster pixels to a cell of the coarse grid.
-COARSE = 3
 #: Longest chord of a link [mm].
 CHORD = 0.12
-#: A way begins and ends in an open cell no more than so many cells away.
-NEAR = 3
 #: Distances of control points tried, over R.
 SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5, 0.3)
 #: How far the loops go that turn round, over R.
 TURNS = (0.5, 1.0)
-#: A step along the edge of free ground counts as longer by this share; farther from it by that
-#: over the number of cells, up to so many.
-EDGE_TOLL, OFF = 0.5, 6
-#: So much longer than it is every step counts at least.
-LEAST_TOLL = 1.0 + EDGE_TOLL / OFF
 #: What is nearer than this to the slot that the entry cut is on it [mm].
 ON_RING = 0.1
-#: Steps to the cells around one, and their lengths.
-NEIGHBORS = tuple(
-    (dr, dc, math.hypot(dr, dc)) for dr in (-1, 0, 1) for dc in (-1, 0, 1) if dr or dc
-)
 
 
-def route(
-    start: Floats,
-    heading: Floats,
-    end: Floats,
-    arriving: Floats,
-    cleared: ClearedMap,
-    fence: Polygon,
-    radius: float,
-    least_radius: float = 0.0,
-) -> Floats | None:
-    """Return a smooth way through free ground, shape (n, 2) [mm]; None if there is none.
+class LongWays:
+    """The long ways round from a place, on ground that is free now.
 
-    Where it would bend more tightly than `least_radius` [mm], because it leads back from where the
-    cutter comes or goes, it turns round in a loop if there is room for one.
+    Parameters
+    ----------
+    start, heading : ndarray of shape (2,)
+        Where all ways begin [mm], and the unit direction there.
+    cleared : ClearedMap
+    fence : shapely.Polygon
+        Is not left; prepared.
+    radius : float
+        R [mm].
+    least_radius : float
+        Where a way would bend more tightly [mm], because it leads back from where the cutter comes
+        or goes, it turns round in a loop if there is room for one.
     """
-    # a way along the very edge is hard to follow smoothly
-    closed = ~cleared.free
-    for _ in range(COARSE):
-        closed = dilated(closed)
-    for ground in (~closed, cleared.free, cleared.near):
-        way = shortest_way(start, end, cleared, ground)
-        if way is None:
-            continue
-        found = _along(way, start, heading, end, arriving, cleared, fence, radius, least_radius)
-        if found is not None:
+
+    def __init__(
+        self,
+        start: Floats,
+        heading: Floats,
+        cleared: ClearedMap,
+        fence: Polygon,
+        radius: float,
+        least_radius: float = 0.0,
+    ) -> None:
+        self._start, self._heading, self._cleared, self._fence = start, heading, cleared, fence
+        self._radius, self._least_radius = radius, least_radius
+        self._grounds: list[Ground] = []
+
+    def to(self, end: Floats, arriving: Floats) -> Floats | None:
+        """Return a smooth way, shape (n, 2) [mm]; None if there is none.
+
+        Parameters
+        ----------
+        end, arriving : ndarray of shape (2,)
+            Where it ends [mm], and the unit direction there.
+        """
+        for ground in self._all_grounds():
+            way = ground.way_to(end)
+            if way is not None:
+                found = self._along(LineString(way), end, arriving)
+                if found is not None:
+                    return found
+        return None
+
+    def _all_grounds(self) -> Iterator[Ground]:
+        """Yield ground well off what stands, all free ground, and that up to its very edge."""
+        cleared = self._cleared
+        for i in range(3):
+            if i == len(self._grounds):
+                free = (cleared.free, cleared.free, cleared.near)[i]
+                if i == 0:
+                    # a way along the very edge is hard to follow smoothly
+                    closed = ~free
+                    for _ in range(COARSE):
+                        closed = dilated(closed)
+                    free = ~closed
+                self._grounds.append(Ground(cleared, free, self._start))
+            yield self._grounds[i]
+
+    def _along(self, way: LineString, end: Floats, arriving: Floats) -> Floats | None:
+        """Return a free curve near a way, tangent at both ends; None if none is free."""
+        found = None
+        for share in SPACINGS:
+            handle = min(share * self._radius, way.length / 3) / 2
+            ends = [(handle * self._heading[None], handle * arriving[None])]
+            found = next(self._free_curves(way, share, end, ends), None)
+            if found is not None:
+                break
+        if found is None or tightest_bend(found) >= self._least_radius:
             return found
-    return None
+        turns = [
+            (leaving, reaching)
+            for leaving in _turns(self._heading, self._radius)
+            for reaching in _turns(arriving, self._radius)
+        ]
+        for share in SPACINGS:
+            smooth = next(self._free_curves(way, share, end, turns, self._least_radius), None)
+            if smooth is not None:
+                return smooth
+        return found
+
+    def _free_curves(
+        self,
+        way: LineString,
+        share: float,
+        end: Floats,
+        turns: Sequence[tuple[Floats, Floats]],
+        least_radius: float = 0.0,
+    ) -> Iterator[Floats]:
+        """Yield the free curves near a way that bend no more tightly, the shortest first.
+
+        Parameters
+        ----------
+        way : shapely.LineString
+        share : float
+            Distance of control points along it, over R.
+        end : ndarray of shape (2,)
+        turns : sequence of pair of ndarray of shape (k, 2)
+            What is added to the start, and taken away from the end backwards, for the control
+            points beside them [mm].
+        least_radius : float
+            [mm]
+        """
+        pieces = max(2, int(np.ceil(way.length / (share * self._radius))))
+        places = np.linspace(0, 1, pieces + 1)[1:-1]
+        middle = shapely.get_coordinates(
+            shapely.line_interpolate_point(way, places, normalized=True)
+        )
+        count = max(97, int(way.length / CHORD))
+        free: list[tuple[float, Floats]] = []
+        for size in sorted({(len(a), len(b)) for a, b in turns}):
+            of_size = [(a, b) for a, b in turns if (len(a), len(b)) == size]
+            controls = np.array(
+                [
+                    np.vstack([self._start, self._start + a, middle, end - b[::-1], end])
+                    for a, b in of_size
+                ]
+            )
+            curves = clamped_spline(controls, count)
+            curves = curves[self._cleared.are_free(curves)]
+            curves = curves[tightest_bend(curves) >= least_radius]
+            lengths = np.hypot(*np.moveaxis(np.diff(curves, axis=1), -1, 0)).sum(axis=1)
+            free += zip(lengths.tolist(), curves, strict=True)
+        for _, curve in sorted(free, key=lambda pair: pair[0]):
+            if self._fence.covers(LineString(curve)):
+                yield curve
 
 
 def back_along_ring(
@@ -107,52 +194,6 @@ def back_along_ring(
     return shapely.get_coordinates(shapely.segmentize(line, CHORD))
 
 
-def _along(
-    way: Floats,
-    start: Floats,
-    heading: Floats,
-    end: Floats,
-    arriving: Floats,
-    cleared: ClearedMap,
-    fence: Polygon,
-    radius: float,
-    least_radius: float,
-) -> Floats | None:
-    """Return a free curve near a way over the grid, tangent at both ends; None if none is free."""
-    line = LineString(way)
-
-    def curve(share: float, leaving: Floats, reaching: Floats) -> Floats | None:
-        count = max(2, int(np.ceil(line.length / (share * radius))))
-        middle = shapely.get_coordinates(
-            shapely.line_interpolate_point(
-                line, np.linspace(0, 1, count + 1)[1:-1], normalized=True
-            )
-        )
-        controls = np.vstack([start, start + leaving, middle, end - reaching[::-1], end])
-        points = clamped_spline(controls, max(97, int(line.length / CHORD)))
-        is_free = cleared.are_free(points) and fence.covers(LineString(points))
-        return points if is_free else None
-
-    found = None
-    for share in SPACINGS:
-        handle = min(share * radius, line.length / 3) / 2
-        found = curve(share, handle * heading[None], handle * arriving[None])
-        if found is not None:
-            break
-    if found is None or tightest_bend(found) >= least_radius:
-        return found
-    for share in SPACINGS:
-        turns = [
-            curve(share, leaving, reaching)
-            for leaving in _turns(heading, radius)
-            for reaching in _turns(arriving, radius)
-        ]
-        smooth = [c for c in turns if c is not None and tightest_bend(c) >= least_radius]
-        if smooth:
-            return min(smooth, key=lambda points: LineString(points).length)
-    return found
-
-
 def _turns(heading: Floats, radius: float) -> list[Floats]:
     """Return the first control points after a place, straight on and round to both sides [mm]."""
     aside = np.array([-heading[1], heading[0]])
@@ -160,118 +201,44 @@ def _turns(heading: Floats, radius: float) -> list[Floats]:
     return [radius * turn for turn in [0.5 * heading[None], *wide]]
 
 
-def tightest_bend(points: Floats) -> float:
-    """Return the least radius of the circles through three points in a row [mm]."""
-    a, b, c = points[:-2], points[1:-1], points[2:]
+def tightest_bend(points: Floats) -> Floats:
+    """Return the least radius of the circles through three points in a row [mm].
+
+    Parameters
+    ----------
+    points : ndarray of shape (..., n, 2)
+        [mm]
+    """
+    a, b, c = points[..., :-2, :], points[..., 1:-1, :], points[..., 2:, :]
     ab, bc, ac = b - a, c - b, c - a
-    area = np.abs(ab[:, 0] * bc[:, 1] - ab[:, 1] * bc[:, 0])
-    sides = np.hypot(*ab.T) * np.hypot(*bc.T) * np.hypot(*ac.T)
-    return float((sides / (2 * area + 1e-12)).min())
+    area = np.abs(ab[..., 0] * bc[..., 1] - ab[..., 1] * bc[..., 0])
+    sides = np.prod([np.hypot(v[..., 0], v[..., 1]) for v in (ab, bc, ac)], axis=0)
+    return np.asarray((sides / (2 * area + 1e-12)).min(axis=-1))
 
 
 def clamped_spline(controls: Floats, count: int) -> Floats:
-    """Return `count` points of a clamped cubic B-spline, by de Boor's algorithm."""
-    n = len(controls)
+    """Return `count` points of clamped cubic B-splines, by de Boor's algorithm.
+
+    Parameters
+    ----------
+    controls : ndarray of shape (..., n, 2)
+        [mm]
+    count : int
+
+    Returns
+    -------
+    ndarray of shape (..., count, 2)
+        [mm]
+    """
+    n = controls.shape[-2]
     degree = min(3, n - 1)
     knots = np.concatenate([np.zeros(degree), np.linspace(0, 1, n - degree + 1), np.ones(degree)])
     u = np.linspace(0, 1, count)
     span = np.clip(np.searchsorted(knots, u, side="right") - 1, degree, n - 1)
-    points = controls[span[:, None] + np.arange(-degree, 1)]
+    points = controls[..., span[:, None] + np.arange(-degree, 1), :]
     for r in range(1, degree + 1):
         i = span[:, None] + np.arange(r - degree, 1)
         low, high = knots[i], knots[i + degree - r + 1]
         share = ((u[:, None] - low) / (high - low))[..., None]
-        points = (1 - share) * points[:, :-1] + share * points[:, 1:]
-    return points[:, 0]
-
-
-def shortest_way(
-    start: Floats, end: Floats, cleared: ClearedMap, free: NDArray[np.bool_]
-) -> Floats | None:
-    """Return the shortest way over the coarse grid of free pixels, between the exact ends."""
-    rows, columns = (n // COARSE for n in free.shape)
-    blocks = free[: rows * COARSE, : columns * COARSE].reshape(rows, COARSE, columns, COARSE)
-    # closed all around, so that no step leads over the edge
-    open_ = np.pad(blocks.all(axis=(1, 3)), 1)
-    size = COARSE * cleared.pixel
-    origin = cleared.origin - size
-    source, target = (_nearest_open((p - origin) / size, open_) for p in (start, end))
-    if source is None or target is None:
-        return None
-    path = _cheapest(_tolls(open_), source, target)
-    if path is None:
-        return None
-    row, column = np.divmod(path, open_.shape[1])
-    centers = origin + size * np.column_stack([column + 0.5, row + 0.5])
-    return np.vstack([start, centers[1:-1], end])
-
-
-def _tolls(open_: NDArray[np.bool_]) -> Floats:
-    """Return by how much longer a step into each cell counts than it is; infinite where closed.
-
-    Keeping off the edge of free ground is worth a little; farther from it than `OFF` cells
-    nothing is gained any more.
-    """
-    off = np.zeros(open_.shape)
-    closed = ~open_
-    for _ in range(OFF):
-        off += ~closed
-        closed = dilated(closed)
-    toll = np.full(open_.shape, np.inf)
-    toll[open_] = EDGE_TOLL / off[open_]
-    return toll
-
-
-def _cheapest(tolls: Floats, source: int, target: int) -> list[int] | None:
-    """Return the cells along the cheapest way from `source` to `target`; None if there is none.
-
-    A*, with the distance as the crow flies for what lies ahead.
-
-    Parameters
-    ----------
-    tolls : ndarray of shape (rows, columns)
-        Infinite all around.
-    source, target : int
-        Indices into the raveled grid.
-    """
-    columns = tolls.shape[1]
-    rows_off = (np.arange(tolls.shape[0]) - target // columns)[:, None]
-    ahead = (LEAST_TOLL * np.hypot(rows_off, np.arange(columns) - target % columns)).ravel()
-    ahead, toll = ahead.tolist(), tolls.ravel().tolist()
-    neighbors = [(dr * columns + dc, step) for dr, dc, step in NEIGHBORS]
-    gone = [math.inf] * len(toll)
-    gone[source] = 0.0
-    before: dict[int, int] = {}
-    heap = [(0.0, source)]
-    done = bytearray(len(toll))
-    while heap:
-        cell = heapq.heappop(heap)[1]
-        if cell == target:
-            path = [target]
-            while path[-1] != source:
-                path.append(before[path[-1]])
-            return path[::-1]
-        if done[cell]:
-            continue
-        done[cell] = 1
-        so_far, here = gone[cell], 1.0 + toll[cell]
-        for off, step in neighbors:
-            other = cell + off
-            there = 1.0 + toll[other]
-            cost = so_far + step * (there if there > here else here)
-            if cost < gone[other]:
-                gone[other] = cost
-                before[other] = cell
-                heapq.heappush(heap, (cost + ahead[other], other))
-    return None
-
-
-def _nearest_open(place: Floats, open_: NDArray[np.bool_]) -> int | None:
-    """Return the open cell nearest to a place in the grid, as an index; None if none is near."""
-    column, row = place.astype(int)
-    r0, c0 = max(0, row - NEAR), max(0, column - NEAR)
-    r, c = np.nonzero(open_[r0 : row + NEAR + 1, c0 : column + NEAR + 1])
-    if len(r) == 0:
-        return None
-    k = int(np.argmin((r + r0 - row) ** 2 + (c + c0 - column) ** 2))
-    return int((r[k] + r0) * open_.shape[1] + c[k] + c0)
+        points = (1 - share) * points[..., :-1, :] + share * points[..., 1:, :]
+    return points[..., 0, :]

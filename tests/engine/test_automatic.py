@@ -25,7 +25,7 @@ from freecad_spiralpocket.engine.fronts import advance
 from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.routing import route, tightest_bend
+from freecad_spiralpocket.engine.routing import LongWays, tightest_bend
 from freecad_spiralpocket.engine.sizes import resized, resized_path, resized_request
 from freecad_spiralpocket.engine.starts import slot_bite
 from freecad_spiralpocket.engine.strokes import Stroke
@@ -232,7 +232,7 @@ def test_long_way_round_turns_in_a_loop_where_there_is_room(end, arriving):
     cleared = ClearedMap([room], [], room, [], radius, 0.25)
     start, heading = np.array([30.0, 20.0]), np.array([1.0, 0.0])
     ends = np.array(end), np.array(arriving)
-    way = route(start, heading, *ends, cleared, room.buffer(0.003), radius, least)
+    way = LongWays(start, heading, cleared, room.buffer(0.003), radius, least).to(*ends)
     assert way is not None and tightest_bend(way) >= least
     np.testing.assert_allclose([way[0], way[-1]], [start, end], atol=1e-9)
     leaving, reaching = way[1] - way[0], way[-1] - way[-2]
@@ -252,6 +252,6 @@ def test_a_way_round_the_tip_of_what_stands_is_found(off, half, gap):
     x, aside = 10.0, half * (20 + off) / (31 + off) + gap
     start, end = np.array([x, 20 + off + aside]), np.array([x, 20 + off - aside])
     heading = np.array([1.0, 0.0])
-    way = route(start, heading, end, -heading, cleared, room.buffer(0.003), 3.0, 0.36)
+    way = LongWays(start, heading, cleared, room.buffer(0.003), 3.0, 0.36).to(end, -heading)
     assert way is not None
     assert not LineString(way).intersects(wedge.buffer(-0.25))

@@ -38,7 +38,7 @@ from ..model import Floats, PocketRequest, Tick
 from ..openings import Opening, open_centers
 from ..ordering import SLACK, Step, order, runs_of
 from ..polyline import points_at
-from ..routing import route
+from ..routing import LongWays
 from ..shaping import largest, oriented
 from ..skeleton import Skeleton, medial_axis
 from ..starts import Start
@@ -237,8 +237,9 @@ def _way_to(
         way = clothoid_way(leave, arrive[i], cleared, fence, radius, request.tolerance / 2)
         if way is not None:
             return way.sampled(request.tolerance / 2), way, float(beginnings[i])
+    ways = LongWays(here, _ahead(leave), cleared, fence, radius)
     for b, place in zip(beginnings, arrive, strict=True):
-        curve = route(here, _ahead(leave), place.point, _ahead(place), cleared, fence, radius)
+        curve = ways.to(place.point, _ahead(place))
         if curve is not None:
             return curve, None, float(b)
     return None, None, nearest
