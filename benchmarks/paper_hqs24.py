@@ -22,9 +22,9 @@ from shapely import LineString, Polygon
 from shapely.affinity import scale
 
 from freecad_spiralpocket import machines
+from freecad_spiralpocket.engine.estimates import motion_of
 from freecad_spiralpocket.engine.floor import Pass, Slot
 from freecad_spiralpocket.engine.isotherms import INSET, Family, family_of, mover, refitted
-from freecad_spiralpocket.engine.laps.automatic import motion_of
 from freecad_spiralpocket.engine.laps.isotherm import laps_of
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
 from freecad_spiralpocket.engine.nested import Lap, path_through

@@ -30,19 +30,20 @@ def read_program(path: str | Path, rapid: float = RAPID) -> Toolpath:
     return parse_program(Path(path).read_text(encoding="utf-8", errors="replace"), rapid)
 
 
-def parse_program(text: str, rapid: float = RAPID) -> Toolpath:
+def parse_program(text: str, rapid: float = RAPID, feed: float = 0.0) -> Toolpath:
     """Return the moves of a program.
 
     The path begins at the end of the first motion, since nobody knows where the machine
     stood before. Moves are `Role.AIR` as rapids, `Role.ENTRY` where they sink, else
-    `Role.CUT`; arcs of more than half a turn are split. Rapids get the rate `rapid` [mm/s].
+    `Role.CUT`; arcs of more than half a turn are split. Rapids get the rate `rapid` [mm/s], and
+    cuts before any F word `feed`; 0 where that is an error.
 
     Raises
     ------
     RequestError
         If a line cannot be understood.
     """
-    reader = _Reader(rapid)
+    reader = _Reader(rapid, feed)
     for number, raw in enumerate(text.splitlines(), 1):
         line = _COMMENT.sub("", raw).upper().strip()
         if not line or line[0] in "%/":
@@ -65,7 +66,7 @@ class _NotUnderstoodError(Exception):
 class _Reader:
     """Modal state of the interpreter."""
 
-    def __init__(self, rapid: float) -> None:
+    def __init__(self, rapid: float, feed: float) -> None:
         self.rapid = rapid
         self.builder: ToolpathBuilder | None = None
         self.here = np.zeros(3)
@@ -73,7 +74,7 @@ class _Reader:
         self.unit = 1.0
         self.incremental = False
         self.absolute_centers = False
-        self.feed = 0.0
+        self.feed = feed
 
     def take(self, words: list[tuple[str, float]]) -> None:
         """Carry out one line."""

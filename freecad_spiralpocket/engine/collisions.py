@@ -12,12 +12,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from shapely import Polygon
 
 from .air import are_in_stock
 from .distances import point_to_piece
 from .engagement import Engagement
 from .model import Floats
+from .shaping import Region
 from .swept import SAME_HEIGHT, Pieces
 
 #: Rings of the disc, over the radius less the slack, and points on each.
@@ -55,7 +55,7 @@ def hits_along(engagement: Engagement, chosen: NDArray[np.bool_], slack: float) 
 
 
 def rapid_plunges(
-    pieces: Pieces, cutter_radius: float, slack: float, stock: Polygon | None = None
+    pieces: Pieces, cutter_radius: float, slack: float, stock: Region | None = None
 ) -> Hit:
     """Return how far rapids go straight down into stock.
 
@@ -65,7 +65,7 @@ def rapid_plunges(
     cutter_radius, slack : float
         What stands within `slack` of the cutter's edge does not count [mm].
     stock : shapely.Polygon, optional
-        Its outline; by default it is everywhere.
+        Where it stands before the first move; by default everywhere.
     """
     down = pieces.rapid & (pieces.lengths == 0) & (pieces.bottoms[:, 1] < pieces.bottoms[:, 0])
     disc = disc_points(cutter_radius - slack)

@@ -21,7 +21,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from shapely import Polygon
 
 from .air import intervals_in_air
 from .axial import standing_share
@@ -31,6 +30,7 @@ from .model import Floats
 from .neighbors import Neighbors, neighborhoods
 from .rim import cleared_intervals
 from .sampling import Samples, between, merge_order, merged, take_samples
+from .shaping import Region
 from .swept import Pieces, cut_into_pieces
 from .toolpath import Toolpath
 
@@ -92,7 +92,7 @@ def along_path(
     *,
     axial_depth: float,
     top: float = 0.0,
-    stock: Polygon | None = None,
+    stock: Region | None = None,
     spacing: float | None = None,
 ) -> Engagement:
     """Measure the engagement of all moves below the top of the stock, rapids too.
@@ -108,7 +108,7 @@ def along_path(
     top : float
         Z of the top of the stock [mm].
     stock : shapely.Polygon, optional
-        Its outline, convex [mm]; by default it is everywhere.
+        Where it stands before the first move [mm]; by default everywhere.
     spacing : float, optional
         Largest distance of samples [mm], by default a fifth of the radius. Where neighbors
         differ by more than 3 degrees they come as close as a quarter of this.
@@ -156,7 +156,7 @@ def along_path(
 
 
 def _solid_arrivals(
-    samples: Samples, pieces: Pieces, r: float, stock: Polygon | None
+    samples: Samples, pieces: Pieces, r: float, stock: Region | None
 ) -> NDArray[np.bool_]:
     """Return where level motion begins with nearly all of the rim in uncleared ground."""
     level = pieces.is_level[samples.pieces] & ~pieces.rapid[samples.pieces]
@@ -177,7 +177,7 @@ def _measure(
     r: float,
     axial_depth: float,
     top: float,
-    stock: Polygon | None,
+    stock: Region | None,
 ) -> Floats:
     """Return weighted angles, chips, radial depths [mm], bare angles and bites [mm]; [rad]."""
     n = len(samples)
@@ -201,7 +201,7 @@ def uncleared(
     pieces: Pieces,
     r: float,
     half: float = np.pi / 2,
-    stock: Polygon | None = None,
+    stock: Region | None = None,
 ) -> Gaps:
     """Return what of the stock no earlier piece has cleared down to the height of the cutter.
 
@@ -214,7 +214,7 @@ def uncleared(
     half : float
         ``pi / 2`` for the leading half of the rim, ``pi`` for all of it.
     stock : shapely.Polygon, optional
-        Its outline, convex [mm]; by default it is everywhere.
+        Where it stands before the first move [mm]; by default everywhere.
     """
     hoods = neighborhoods(samples, pieces, r)
     gaps = Gaps.joined([_uncleared_here(hood, samples, r, half) for hood in hoods])

@@ -69,6 +69,10 @@ class NotYetError(SpiralPocketError):
     """A sound pocket that the chosen strategy cannot cut (yet)."""
 
 
+class AlreadyClearedError(SpiralPocketError):
+    """Nothing is left in the pocket for this cutter."""
+
+
 class ProofError(SpiralPocketError):
     """The finished path failed its proof and is therefore not handed out."""
 

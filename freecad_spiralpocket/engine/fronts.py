@@ -15,7 +15,7 @@ a curve, with the step measured by engagement instead of distance.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -165,7 +165,9 @@ ROOM = 0.6
 MAX_FRONTS = 2000
 
 
-def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> Iterator[Polygon]:
+def grow(
+    start: Polygon, omega: Polygon, rules: FrontRules, idle: Sequence[Polygon] = ()
+) -> Iterator[Polygon]:
     """Yield the visited region after the entry and after each level of laps and strokes.
 
     Parameters
@@ -175,6 +177,8 @@ def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> Iterator[Polygon]
     omega : shapely.Polygon
         The cutter-center region.
     rules : FrontRules
+    idle : sequence of shapely.Polygon, optional
+        Ground where nothing is cut; a front that touches it takes all of it.
 
     Yields
     ------
@@ -190,6 +194,10 @@ def grow(start: Polygon, omega: Polygon, rules: FrontRules) -> Iterator[Polygon]
             grown = _through_neck(front, omega, rules)
             if grown is None:
                 return
+        touched = [ground for ground in idle if ground.intersects(grown)]
+        if touched:
+            grown = largest(welded([grown, *touched]))
+            idle = [ground for ground in idle if ground not in touched]
         front = oriented(grown)
         yield front
 

@@ -22,7 +22,8 @@ def mirrored_request(request: PocketRequest) -> PocketRequest:
     start, stock, beyond = request.start_point, request.stock, request.beyond
     return replace(
         request,
+        pocket=mirrored(request.pocket),
         start_point=None if start is None else (-start[0], start[1]),
-        stock=None if stock is None else mirrored(stock),
+        stock=None if stock is None else scale(stock, -1.0, 1.0, origin=(0.0, 0.0)),
         beyond=None if beyond is None else scale(beyond, -1.0, 1.0, origin=(0.0, 0.0)),
     )

@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
+#: Ground thinner than twice this is left by rounding alone [mm].
+HAIR = 0.01
+
 #: Called with the finished fraction [0, 1] and the name of the stage; returns True to cancel.
 Progress = Callable[[float, str], bool]
 
@@ -204,9 +207,10 @@ class PocketRequest:
         On which machine the time is to be least; None for a middling one.
     start_point : tuple of float or None
         Where the cutter shall go down, (x, y) [mm], as near as it can; None: where it is best.
-    stock : shapely.Polygon or None
-        Outline of the stock, convex [mm]; beyond it is air, where the pocket may reach to: at
-        open sides. None: there is stock everywhere.
+    stock : shapely.Polygon or MultiPolygon or None
+        Where material stands before the first move, down to the floor, seen from above [mm]. What
+        is outside of it is air: beside the stock, where the pocket may reach to at open sides,
+        and where it was cleared before. None: there is stock everywhere.
     beyond : shapely.Polygon or MultiPolygon or None
         Ground of the pocket beyond its open sides, which may be cut but need not be [mm].
     sections : tuple of Section
@@ -225,7 +229,7 @@ class PocketRequest:
     feed_plan: FeedPlan = FeedPlan()
     machine: Machine | None = None
     start_point: tuple[float, float] | None = None
-    stock: Polygon | None = None
+    stock: Polygon | MultiPolygon | None = None
     beyond: Polygon | MultiPolygon | None = None
     sections: tuple[Section, ...] = ()
 
@@ -247,7 +251,13 @@ class PocketRequest:
     def to_clear(self, ground: Geometry) -> Geometry:
         """Return what of some ground of the pocket shall be cleared: stock, not beyond it."""
         ground = ground if self.beyond is None else ground.difference(self.beyond)
-        return ground if self.stock is None else ground.intersection(self.stock)
+        ground = ground if self.stock is None else ground.intersection(self.stock)
+        # where edges meet lines may come of it
+        return ground.buffer(0) if ground.geom_type == "GeometryCollection" else ground
+
+    def leaves_to_clear(self, ground: Geometry) -> bool:
+        """Return whether more than hairlines of some ground of the pocket shall be cleared."""
+        return not self.to_clear(ground).buffer(-HAIR).is_empty
 
     @property
     def cutter_radius(self) -> float:

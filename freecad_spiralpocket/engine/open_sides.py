@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pockets that are open at a side: the stock is peeled from there, or cut from within.
+"""Pockets that are open at a side, or cleared in part: peeled from there, or cut from within.
 
-Where the pocket reaches out of the stock, the cutter goes straight down in the air beside it and
-fronts grow inwards from there: no helix, no slot. The curve that these laps start from is the
-stock's own side, as EAS07's spirals start from a curve. Whether that is faster than a spiral from
-within is simulated, as for all starts. What begins within has nothing to do out there.
+Where the pocket reaches out of the stock, or where it was cleared before, the cutter goes straight
+down in the air and fronts grow into the stock from there: no helix, no slot. The curve that these
+laps start from is the stock's own side, as EAS07's spirals start from a curve. Whether that is
+faster than a spiral from within is simulated, as for all starts. What begins within has nothing to
+do out there.
 """
 
 from __future__ import annotations
@@ -40,6 +41,8 @@ MARGIN = 4.0
 ALONG = 0.005
 #: From so many sides peeling is tried, the widest ones.
 TRIED = 2
+#: What is left of a stroke outside of the air is none if it is shorter than this [mm].
+SHORTEST = 0.1
 
 
 def needed(region: Polygon, request: PocketRequest) -> Polygon:
@@ -50,10 +53,19 @@ def needed(region: Polygon, request: PocketRequest) -> Polygon:
     region : shapely.Polygon
     request : PocketRequest
     """
-    radius, ground = request.cutter_radius, request.to_clear(request.pocket)
+    ground = request.to_clear(request.pocket)
     if ground.equals(request.pocket):
         return region
-    wanted = request.to_clear(grow(region, radius))
+    wanted = request.to_clear(grow(region, request.cutter_radius))
+    inner = needed_for(ground, wanted, region, request.cutter_radius)
+    return region if inner is None else inner
+
+
+def needed_for(ground: Region, wanted: Region, region: Polygon, radius: float) -> Polygon | None:
+    """Return the part of a region beside some ground from which all that is wanted is cleared.
+
+    None if it is in several parts.
+    """
     for share in OVERHANGS:
         part = shapely.intersection(region, buffer(ground, share * radius))
         if part.is_empty:
@@ -62,7 +74,7 @@ def needed(region: Polygon, request: PocketRequest) -> Polygon:
         left = shapely.difference(wanted, grow(inner, radius))
         if buffer(left, -HAIR).is_empty:
             return inner
-    return region
+    return None
 
 
 def starts_of(region: Polygon, request: PocketRequest) -> list[tuple[Start, Polygon]]:
@@ -74,13 +86,41 @@ def starts_of(region: Polygon, request: PocketRequest) -> list[tuple[Start, Poly
         If there is no room for any entry.
     """
     inner = needed(region, request)
-    peeled = _from_sides(region, inner, request)
+    from_air = _from_air(region, inner, request)
+    if from_air and inner is region and _mostly_air(from_air[0][0], region):
+        return from_air
     try:
-        return [*((start, inner) for start in candidates(inner, request)), *peeled]
+        return [*((start, inner) for start in candidates(inner, request)), *from_air]
     except CutterDoesNotFitError:
-        if not peeled:
+        if not from_air:
             raise
-    return peeled
+    return from_air
+
+
+def _mostly_air(start: Start, region: Polygon) -> bool:
+    """Return whether so much was cleared before that nothing needs to be begun in the stock."""
+    free = shapely.intersection(shapely.union_all([start.visited, *start.idle]), region)
+    return bool(free.area > region.area / 2)
+
+
+def strokes_in_stock(strokes: Sequence[Stroke], idle: Sequence[Polygon]) -> list[Stroke]:
+    """Return strokes without what of them lies where nothing is cut."""
+    if not idle:
+        return list(strokes)
+    free = shapely.union_all([buffer(ground, ALONG) for ground in idle])
+    kept = []
+    for stroke in strokes:
+        points = np.vstack([stroke.points, stroke.points[:1]]) if stroke.closed else stroke.points
+        rest = shapely.difference(LineString(points), free)
+        if rest.length > LineString(points).length - ALONG:
+            kept.append(stroke)
+            continue
+        lines = shapely.line_merge(rest) if rest.geom_type[:5] == "Multi" else rest
+        for part in shapely.get_parts(lines):
+            if part.length > SHORTEST:
+                here = shapely.get_coordinates(part)
+                kept.append(replace(stroke, points=here, closed=False))
+    return kept
 
 
 def strokes_within(strokes: Sequence[Stroke], region: Polygon) -> list[Stroke]:
@@ -101,38 +141,57 @@ def strokes_within(strokes: Sequence[Stroke], region: Polygon) -> list[Stroke]:
     return kept
 
 
-def _from_sides(
+def _from_air(
     region: Polygon, inner: Polygon, request: PocketRequest
 ) -> list[tuple[Start, Polygon]]:
-    """Return the starts in the air, from the widest side on, and the region of each."""
+    """Return the starts in the air, from the widest part of it on, and the region of each."""
     stock, radius = request.stock, request.cutter_radius
-    if stock is None or request.start_point is not None:
+    if stock is None:
         return []
+    asked = None if request.start_point is None else Point(request.start_point)
     solid = grow(stock, radius + CLEAR)
-    sides = polygons_of(shapely.difference(region, solid))
+    # the walls need no room: the center keeps off them anyway
+    ground = shapely.intersection(stock, grow(region, radius - CLEAR))
+    standing = grow(ground, radius + CLEAR)
+    sides = [
+        side
+        for side in polygons_of(shapely.difference(region, standing))
+        if not buffer(side, -ROOM * radius).is_empty
+    ]
     beyond = polygons_of(shapely.difference(region, inner))
-    starts = []
+    starts: list[tuple[Start, Polygon]] = []
     for side in sides:
+        if any(start.idle and start.omega.contains(side.centroid) for start, _ in starts):
+            continue  # from there it is reached as well
         elsewhere = [other for other in beyond if not other.intersects(side)]
         within = oriented(largest(shapely.difference(region, shapely.union_all(elsewhere))))
-        if not buffer(side, -ROOM * radius).is_empty and within.intersects(side):
+        if within.intersects(side) and (asked is None or side.intersects(asked)):
             air = shapely.difference(buffer(side, MARGIN * radius), solid)
             air = shapely.difference(air, shapely.difference(within, side))
-            starts.append((_from(side, within, air, radius), within))
+            others = [shapely.intersection(o, within) for o in sides if o is not side]
+            idle = [largest(o) for o in others if not buffer(o, -ROOM * radius).is_empty]
+            starts.append((_from(side, within, air, idle, radius, asked), within))
         if len(starts) == TRIED:
             break
     return starts
 
 
-def _from(side: Polygon, within: Polygon, air: Region, radius: float) -> Start:
+def _from(
+    side: Polygon,
+    within: Polygon,
+    air: Region,
+    idle: Sequence[Polygon],
+    radius: float,
+    asked: Point | None,
+) -> Start:
     """Return the start from a side of a region, the air about which fronts take as visited."""
     first, heading = _beginning(side, within)
     near = buffer(side, -ROOM * radius)
-    near = shapely.shortest_line(near, Point(first - BEFORE * radius * heading))
-    place = np.array(near.coords[0])
+    target = Point(first - BEFORE * radius * heading) if asked is None else asked
+    place = np.array(shapely.shortest_line(near, target).coords[0])
     visited, omega = (oriented(largest(welded([shape, air]))) for shape in (side, within))
     ring = _loop(place, heading, ROOM * radius)
-    return Start("open side", visited, omega, Plunge(place), ring)
+    return Start("open side", visited, omega, Plunge(place), ring, idle=tuple(idle))
 
 
 def _beginning(side: Polygon, within: Polygon) -> tuple[Floats, Floats]:

@@ -20,7 +20,7 @@ from shapely import Polygon
 from .checks import check_request
 from .dependencies import require_libraries
 from .engagement import Engagement, along_path
-from .errors import CancelledError, ProofError, SpiralPocketError
+from .errors import AlreadyClearedError, CancelledError, ProofError, SpiralPocketError
 from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
 from .levels import levels_of
@@ -37,6 +37,7 @@ from .model import (
     Tick,
 )
 from .open_sides import needed
+from .region import grow
 from .rendering import Cut, render
 from .repair import Proved, badness, repaired
 from .rooms import Room, rooms_of
@@ -85,9 +86,7 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     require_libraries()
     _tell(progress, 0.0, "Checking the pocket")
     check_request(request)
-    stock = request.cutting.stock_to_leave
-    rooms, notices = rooms_of(levels_of(request), request.cutter_radius, stock)
-
+    rooms, notices = _rooms_with_stock(request)
     cuts, uncut = _cuts(rooms, request, progress)
     prove_cuts = partial(
         _proved, request=request, complete=len(cuts) == len(rooms), progress=progress
@@ -101,6 +100,28 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     told = (*notices, *uncut, *_start_notices(toolpath, request), *report.notices)
     report = replace(report, time=seconds, notices=told)
     return Plan(request, toolpath, report, _curves(proved.cuts, request))
+
+
+def _rooms_with_stock(request: PocketRequest) -> tuple[list[Room], list[Notice]]:
+    """Return the rooms in which something is left to cut, and what is to be told of the others.
+
+    Raises
+    ------
+    AlreadyClearedError
+        If there is none.
+    CutterDoesNotFitError
+        If the cutter does not fit the topmost level.
+    """
+    radius = request.cutter_radius
+    rooms, notices = rooms_of(levels_of(request), radius, request.cutting.stock_to_leave)
+    if request.stock is not None:
+        rooms = [r for r in rooms if request.leaves_to_clear(grow(r.region, radius))]
+    if not rooms:
+        raise AlreadyClearedError(
+            "Earlier operations have cleared this pocket as far as this cutter reaches.",
+            "Unset UseRestMachining to cut it all the same.",
+        )
+    return rooms, notices
 
 
 def _start_notices(toolpath: Toolpath, request: PocketRequest) -> list[Notice]:

@@ -88,6 +88,8 @@ class Start:
     within : shapely.Polygon or None
         Where fronts do not end at the outer wall: all of the cutter-center region that they
         reach. What is left of the region is corners.
+    idle : tuple of shapely.Polygon
+        Other ground in `omega` where the center could go without cutting, once it gets there.
     """
 
     name: str
@@ -96,6 +98,7 @@ class Start:
     entry: WayDown
     ring: LineString
     within: Polygon | None = None
+    idle: tuple[Polygon, ...] = ()
 
 
 def slot_bite(request: PocketRequest) -> float:

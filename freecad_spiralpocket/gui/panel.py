@@ -41,9 +41,17 @@ FIELDS = (
     ("linkFeed", "LinkFeed", LinkFeed),
     ("slotBite", "SlotBite", Quantity),
     ("extendOpenSides", "ExtendOpenSides", Check),
+    ("useRestMachining", "UseRestMachining", Check),
 )
 #: What is folded away; the panel unfolds it where one of these is not the default.
-ADVANCED = ("Tolerance", "LinkFeed", "SlotBite", "ExtendOpenSides", "UseStartPoint")
+ADVANCED = (
+    "Tolerance",
+    "LinkFeed",
+    "SlotBite",
+    "ExtendOpenSides",
+    "UseRestMachining",
+    "UseStartPoint",
+)
 
 #: Every property on which the path depends, of ours and of FreeCAD's own pages.
 INPUTS = {*option_names(), *INHERITED, "Base", "ToolController", "OpToolDiameter"}

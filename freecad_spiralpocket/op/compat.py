@@ -22,6 +22,7 @@ from PathScripts import PathUtils
 
 try:
     import Path.Base.SetupSheet as PathSetupSheet
+    import Path.Base.Util as PathUtil
     import Path.Log as PathLog
     import Path.Main.Job as PathJob
     import Path.Op.Base as PathOp
@@ -29,7 +30,14 @@ try:
 
     IS_LEGACY = False
 except ImportError:
-    from PathScripts import PathJob, PathLog, PathOp, PathSetupSheet, PathToolController
+    from PathScripts import (
+        PathJob,
+        PathLog,
+        PathOp,
+        PathSetupSheet,
+        PathToolController,
+        PathUtil,
+    )
 
     IS_LEGACY = True
 
@@ -45,6 +53,7 @@ __all__ = [
     "active_document",
     "add_tool_controller",
     "evaluate_constants",
+    "operation_property",
     "parent_job",
     "post_process",
     "set_end_mill",
@@ -62,6 +71,11 @@ _QUIET = "--no-show-editor"
 def parent_job(obj: Any) -> Any:
     """Return the job that `obj` belongs to, or None."""
     return PathUtils.findParentJob(obj)
+
+
+def operation_property(operation: Any, name: str) -> Any:
+    """Return a property of an operation, or of the one that a dressup dresses; None without."""
+    return PathUtil.opProperty(operation, name)
 
 
 def tool_shape(tool: Any) -> str:

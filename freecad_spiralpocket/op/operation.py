@@ -33,30 +33,13 @@ from .compat import (
     parent_job,
     tool_shape,
 )
+from .tools import ROUND_TOOLS, UNSUITABLE_TOOLS
 
 if TYPE_CHECKING:
     from .pockets import Planner
 
 #: The name under which the setup sheet keeps presets; also that of new operations.
 NAME = "SpiralPocket"
-
-#: Tools that cut with their side and have a flat end.
-FLAT_TOOLS = ("endmill", "slittingsaw")
-#: Tools that cut with their side, but leave ridges on the floor.
-ROUND_TOOLS = ("ballend", "bullnose", "torus", "taperedballnose")
-#: Tools that cannot clear a pocket at all.
-UNSUITABLE_TOOLS = (
-    "chamfer",
-    "dovetail",
-    "drill",
-    "fillet",
-    "probe",
-    "radius",
-    "reamer",
-    "tap",
-    "threadmill",
-    "vbit",
-)
 
 
 class ObjectSpiralPocket(PathOp.ObjectOp):

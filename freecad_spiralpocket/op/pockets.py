@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 from ..engine import plan as plan_pocket
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Notice, Plan, PocketRequest, Progress
-from . import commands, open_sides, request, sections, selection, walls
+from . import commands, open_sides, request, rest, sections, selection, walls
 from .compat import parent_job
 
 #: Share of the operation's tolerance that goes into the chords of curved walls; the rest is
@@ -24,6 +24,9 @@ SAG_RANGE = (1e-4, 0.02)
 
 #: A smaller part of the floor under leaning walls is not told [mm2].
 TOLD_OVERHANG = 0.5
+
+#: A smaller share of a pocket that was cleared before is none.
+TOLD_SHARE = 0.001
 
 #: Plans many pockets: called with their requests and a progress, returns for each a plan or what
 #: is the matter with it; raises `CancelledError` if the progress says so.
@@ -179,6 +182,8 @@ class Pockets:
         others = [other for other in floors if other is not floor]
         fitted = sections.fitted(wanted, floor, above, others, sag)
         self._overhung[floor.label] = above.outline.area - fitted.pocket.area
+        if self._obj.UseRestMachining:
+            return rest.rest_of(fitted, self._obj, self._known)
         return fitted
 
     def _open_sides(self, floor: selection.Floor, sag: float) -> open_sides.OpenSides | None:
@@ -219,6 +224,8 @@ class Pockets:
                     "Machine that part from another side, or with an undercutting tool.",
                 ),
             )
+        if self._obj.UseRestMachining:
+            self._note(floor, _rest_notice(plan.request))
         for notice in plan.report.notices:
             self._note(floor, notice)
 
@@ -239,6 +246,20 @@ class Pockets:
         if len(self._selected) > 1:
             notice = Notice(f"{floor.label}: {notice.message}", notice.hint, notice.place)
         self._notices.append(notice)
+
+
+def _rest_notice(wanted: PocketRequest) -> Notice:
+    """Return what is to be told of a pocket of which only the rest is to be cut."""
+    share = rest.share_cleared(wanted)
+    if share < TOLD_SHARE:
+        return Notice(
+            "No earlier operation has cleared any of this pocket down to its floor; all is cut.",
+            "Move this operation behind the one with the larger cutter, or unset UseRestMachining.",
+        )
+    return Notice(
+        f"Earlier operations have cleared {100 * share:.0f} % of this pocket; the rest is cut.",
+        "Recompute this operation when they change.",
+    )
 
 
 def plan_in_turn(

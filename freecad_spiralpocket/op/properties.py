@@ -21,7 +21,7 @@ from ..engine.model import CutMode, FeedMode, Strategy
 from . import preferences
 
 #: Version of the table that this release writes into documents.
-SCHEMA_VERSION = 3
+SCHEMA_VERSION = 4
 #: The user's machines and those of resources/machines, the default first.
 MACHINES = tuple(
     sorted(machines.names(preferences.machine_folder()), key=lambda name: name != "hobby_router")
@@ -171,6 +171,13 @@ TABLE = (
         "stock ends near by; else the cutter stays within the floor",
         True,
         since=3,
+    ),
+    _option(
+        "UseRestMachining",
+        "Bool",
+        "Cut only what earlier operations of the job have left standing in the pocket",
+        False,
+        since=4,
     ),
     Property(
         "UseStartPoint",

@@ -30,6 +30,7 @@ OTHERS = {
     "FinishingProfile": False,
     "UseOutline": True,
     "ExtendOpenSides": False,
+    "UseRestMachining": True,
 }
 
 

@@ -46,6 +46,7 @@ ENTRIES = {
     "LinkFeed": 50.0,
     "SlotBite": 0.5,
     "ExtendOpenSides": False,
+    "UseRestMachining": True,
 }
 #: The boxes round to hundredths of a millimeter; as a share of the cutter's diameter.
 ROUNDED = 0.005 / 6.0 * 1.01

@@ -33,6 +33,7 @@ TAB_ORDER = [
     "linkFeed",
     "slotBite",
     "extendOpenSides",
+    "useRestMachining",
     "useStartPoint",
     "startPointX",
     "startPointY",

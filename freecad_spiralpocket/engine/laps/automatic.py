@@ -21,24 +21,24 @@ from shapely import LineString, Polygon
 
 from ..cleared import ClearedMap
 from ..corners import finish_corners
-from ..errors import NotYetError
-from ..floor import FloorPath, Groove, Helix, Pass, Plunge
+from ..errors import CutterDoesNotFitError, NotYetError
+from ..estimates import LIFT_SECONDS, entry_seconds, least_seconds, motion_of, seconds_of
+from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
 from ..front_rules import MEETING, WIDEST, FrontRules, step_limit
 from ..fronts import MAX_FRONTS, STRETCH, grow
-from ..groove import groove_path
-from ..linking import Motion, link_times
-from ..machine import MIDDLING
+from ..leftovers import large_pieces, without
+from ..linking import Motion
 from ..model import Floats, PocketRequest, Tick
 from ..nearest import nearest
-from ..open_sides import needed, starts_of, strokes_within
+from ..open_sides import needed, starts_of, strokes_in_stock, strokes_within
 from ..ordering import Step, order, runs_of
 from ..polyline import simplified
-from ..shaping import largest, oriented, thick_parts
+from ..region import grow as grow_region
+from ..shaping import Region, buffer, largest, oriented, thick_parts
 from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
-from ..starts import Start
+from ..starts import Start, candidates
 from ..strokes import Stroke, strokes_between, strokes_of
-from ..timing import polyline_seconds
 from ..toolpath import Role
 
 #: The lengths in mm of all that Automatic is made of are meant for this R and this tolerance [mm].
@@ -47,8 +47,6 @@ SIZE, EXACT = 3.0, 0.01
 CLOSING = 1.33
 #: Radius with which fronts meet walls, over the step-over.
 FILLET = 1.75
-#: Links avoid tighter bends than this, over R.
-LEAST_RADIUS = 0.12
 #: A start is hopeless whose farthest wall is farther than this over the nearest one's.
 HOPELESS = 1.5
 #: Places within a region at which that is looked at, along each side.
@@ -67,8 +65,6 @@ TIE = 0.07
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
 CUSP = 0.8
-#: A lift, over and down again takes about so long [s].
-LIFT_SECONDS = 3.0
 #: Points that matter less than this share of the tolerance are dropped.
 SLIM = 0.3
 #: Raster pixels across the cutter.
@@ -103,13 +99,66 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
 
 def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
     region = oriented(shapely.simplify(region, 0.001))
+    best = _fastest(starts_of(region, request), needed(region, request), request, tick)
+    pieces = [] if request.stock is None else large_pieces(region, request)
+    return _joined(_piecewise(best, pieces, region, request, tick), request)
+
+
+def _piecewise(
+    best: _Best, pieces: Sequence[Polygon], region: Polygon, request: PocketRequest, tick: Tick
+) -> list[_Best]:
+    """Return the pieces that are faster cut on their own, and what takes the rest after them."""
+    motion, after = motion_of(request), request
+    from_air = best.start is not None and isinstance(best.start.entry, Plunge)
+    alone: list[_Best] = []
+    for inner in pieces:
+        try:
+            starts = [(start, inner) for start in candidates(inner, request)]
+        except CutterDoesNotFitError:
+            continue
+        piece = _fastest(starts, inner, request, tick)
+        if from_air:
+            here = buffer(inner, request.cutting.stepover)
+            peeled = [s for s in best.steps if here.contains(LineString(s.points).centroid)]
+            # in a channel strokes cannot hold the engagement
+            toll = CHANNEL_TOLL if len(peeled) > CORNER_LEVELS else 1.0
+            if piece.seconds + LIFT_SECONDS > toll * seconds_of(peeled, request, motion):
+                continue
+        alone.append(piece)
+        after = without(after, inner)
+    if not alone:
+        return [best]
+    if after.leaves_to_clear(grow_region(region, request.cutter_radius)):
+        alone.append(_fastest(starts_of(region, after), needed(region, after), after, tick))
+    total = sum(part.seconds for part in alone) + LIFT_SECONDS * (len(alone) - 1)
+    return alone if total < (CHANNEL_TOLL if from_air else 1.0) * best.seconds else [best]
+
+
+def _joined(parts: Sequence[_Best], request: PocketRequest) -> FloorPath:
+    """Return the path of some starts one after the other."""
+    entries = [part.start.entry for part in parts if part.start is not None]
+    passes: list[Pass | WayDown] = []
+    for entry, part in zip(entries, parts, strict=True):
+        passes += [entry, *passes_of(part.steps, request)]
+    return FloorPath(entries[0], tuple(passes[1:]))
+
+
+def _fastest(
+    starts: list[tuple[Start, Polygon]], region: Polygon, request: PocketRequest, tick: Tick
+) -> _Best:
+    """Return the start that simulates fastest.
+
+    Raises
+    ------
+    NotYetError
+        If the region is too wide.
+    """
     motion, rules = motion_of(request), rules_of(request)
     best, most = _Best(), MAX_FRONTS
-    near = FEW * request.cutting.stepover
-    starts = promising(starts_of(region, request), needed(region, request), near)
+    starts = promising(starts, region, FEW * request.cutting.stepover)
     for i, (start, within) in enumerate(starts):
         done = partial(tick, i / len(starts))
-        entry = _entry_seconds(start, request, motion)
+        entry = entry_seconds(start, request, motion)
         grown = _grown(start, rules, best, most, entry, motion, done)
         if grown is None:
             continue
@@ -118,13 +167,13 @@ def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
         if start.within is not None:
             fronts = _with_corners(fronts, start.within, within, rules)
         most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
-        strokes = strokes_of(fronts)
+        strokes = strokes_in_stock(strokes_of(fronts), start.idle)
         # no links can make up for entry, cuts and turns back that take longer already
-        at_least = entry + _least_seconds(strokes, motion)
+        at_least = entry + least_seconds(strokes, motion)
         if not best.is_beaten_by(toll * at_least, _open_strokes(strokes)):
             continue
         steps = _steps(start, fronts, strokes, within, request, motion, done)
-        seconds = toll * (entry + _seconds(steps, request, motion))
+        seconds = toll * (entry + seconds_of(steps, request, motion))
         links = sum(step.link is None or len(step.link) > 0 for step in steps)
         if best.is_beaten_by(seconds, links):
             best = _Best(start, steps, seconds, links)
@@ -133,7 +182,7 @@ def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
             f"The pocket is more than {MAX_FRONTS} step-overs wide.",
             "Take a wider cutter or a larger step-over.",
         )
-    return FloorPath(best.start.entry, passes_of(best.steps, request))
+    return best
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,11 +224,13 @@ def _grown(
         if len(fronts) > most + 1:
             return None
         if best.start is not None and len(fronts) > 1:
-            strokes += strokes_between(fronts[-2], front, len(fronts) - 1)
+            more = strokes_between(fronts[-2], front, len(fronts) - 1)
+            strokes += strokes_in_stock(more, start.idle)
             # narrow holes need no stroke: the cutter reaches over them
             idle = rules.cutter_radius * sum(ring.length for ring in front.interiors)
+            idle += sum(ground.area for ground in start.idle if not front.contains(ground))
             left = max(0.0, start.omega.area - front.area - idle) / widest / motion.cut_feed
-            at_least = entry + _least_seconds(strokes, motion) + left
+            at_least = entry + least_seconds(strokes, motion) + left
             if not best.is_beaten_by(at_least, _open_strokes(strokes)):
                 return None
     return fronts, corners
@@ -188,7 +239,7 @@ def _grown(
 def _levels(start: Start, rules: FrontRules) -> Iterator[tuple[Polygon, bool]]:
     """Yield the fronts of a start one after the other, and whether each only finishes corners."""
     front = start.visited
-    for front in grow(start.visited, start.omega, rules):
+    for front in grow(start.visited, start.omega, rules, start.idle):
         yield front, False
     for finer in finish_corners(front, start.omega, rules):
         yield finer, True
@@ -236,7 +287,8 @@ def promising(
     inner = np.column_stack([x.ravel(), y.ravel()])
     inner = inner[shapely.contains_xy(region, inner)]
     places = np.vstack([inner, _sampled(region.boundary, 2.0)])
-    far = np.array([_farthest(places, start.visited) for start, _ in starts])
+    visited = [shapely.union_all([start.visited, *start.idle]) for start, _ in starts]
+    far = np.array([_farthest(places, ground) for ground in visited])
     order = np.argsort(far, kind="stable")
     return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), near)]
 
@@ -246,21 +298,12 @@ def _sampled(line: shapely.Geometry, spacing: float) -> Floats:
     return shapely.get_coordinates(shapely.segmentize(shapely.simplify(line, 0.05), spacing))
 
 
-def _farthest(places: Floats, visited: Polygon) -> float:
+def _farthest(places: Floats, visited: Region) -> float:
     """Return how far the farthest of the places is from what is visited [mm]."""
     outside = places[~shapely.contains_xy(visited, places)]
     if len(outside) == 0:
         return 0.0
     return float(nearest(_sampled(visited.boundary, 1.0), outside)[0].max())
-
-
-def motion_of(request: PocketRequest) -> Motion:
-    """Return what limits the motion between cuts on the request's machine."""
-    machine = request.machine or MIDDLING
-    link = min(request.link_feed, machine.flat_speed)
-    cut = min(request.feeds.horizontal, machine.flat_speed)
-    least_radius = LEAST_RADIUS * request.cutter_radius
-    return Motion(min(machine.acceleration[:2]), link, cut, least_radius)
 
 
 def _steps(
@@ -335,52 +378,6 @@ def _mouths(start: Start, region: Polygon, overrun: float) -> list[Floats]:
                     begin = line.project(shapely.Point(part.coords[0]))
                     mouths.append(between(line, begin - overrun, part.length + 2 * overrun))
     return mouths
-
-
-def _seconds(steps: Sequence[Step], request: PocketRequest, motion: Motion) -> float:
-    """Return how long cuts and links take, at the last level [s]."""
-    total = 0.0
-    for step in steps:
-        total += _way_seconds(step.points, request, motion)
-        if step.link is None:
-            total += LIFT_SECONDS
-        elif len(step.link):
-            total += float(link_times(step.link[None], motion)[0])
-    return total
-
-
-def _way_seconds(points: Floats, request: PocketRequest, motion: Motion) -> float:
-    """Return how long a way takes at the cutting feed, from and to full speed [s]."""
-    feed, machine = motion.cut_feed, request.machine or MIDDLING
-    if points.shape[1] == 2:
-        points = np.column_stack([points, np.zeros(len(points))])
-    return float(polyline_seconds(points, feed, machine, feed, feed))
-
-
-def _entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float:
-    """Return how long the way down takes [s]."""
-    entry, angle, depth = start.entry, request.entry.helix_angle, request.axial_depth
-    if isinstance(entry, Plunge):
-        return 0.0
-    ring = shapely.get_coordinates(start.ring)
-    once = _way_seconds(ring, request, motion)
-    if isinstance(entry, Helix):
-        return (depth / math.tan(angle) / start.ring.length + 1) * once
-    if isinstance(entry, Groove):
-        return _way_seconds(groove_path(entry, angle, depth, 0.0), request, motion)
-    levels = math.ceil(depth / entry.bite - 1e-9)
-    return levels * once + depth / levels / math.tan(angle) / motion.cut_feed
-
-
-def _least_seconds(strokes: list[Stroke], motion: Motion) -> float:
-    """Return how long strokes and the links between them take at least [s].
-
-    An open stroke ends where it may go no farther, and all are cut the same way about: from one
-    to the next the cutter turns back, in half a circle as tight as the machine allows.
-    """
-    cuts = sum(LineString(s.points).length for s in strokes) / motion.cut_feed
-    turns = sum(not s.closed for s in strokes) * math.pi * motion.cut_feed / motion.acceleration
-    return cuts + turns
 
 
 def passes_of(steps: Sequence[Step], request: PocketRequest) -> tuple[Pass, ...]:

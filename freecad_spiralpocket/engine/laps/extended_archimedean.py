@@ -31,6 +31,7 @@ from ..clothoid_links import Place, clothoid_link, clothoid_way, turn_away
 from ..clothoids import ClothoidPath
 from ..corners import finish_corners
 from ..errors import NotYetError
+from ..estimates import motion_of
 from ..floor import FloorPath
 from ..fronts import MAX_FRONTS, grow
 from ..joints import walk_over
@@ -43,7 +44,7 @@ from ..shaping import largest, oriented
 from ..skeleton import Skeleton, medial_axis
 from ..starts import Start
 from ..strokes import Stroke, strokes_of
-from .automatic import PIXELS, motion_of, passes_of, rules_of
+from .automatic import PIXELS, passes_of, rules_of
 
 #: Laps are no farther apart than this over D: in a square bend they are 1.41 times as far.
 WIDEST = 0.7

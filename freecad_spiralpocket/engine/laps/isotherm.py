@@ -33,6 +33,7 @@ import shapely
 from shapely import Point, Polygon
 
 from ..errors import NotYetError
+from ..estimates import motion_of
 from ..floor import FloorPath
 from ..isotherm_slots import core_of, core_share, pays, slots_for
 from ..isotherms import (
@@ -51,7 +52,6 @@ from ..isotherms import (
 from ..model import PocketRequest, Tick
 from ..nested import Lap, path_through
 from ..shaping import oriented
-from .automatic import motion_of
 from .closing import corner_fillet
 
 #: Steps of the search for the next isotherm. It begins with this share of the temperature left, and

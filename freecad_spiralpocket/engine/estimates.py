@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How long a way to cut a region takes on the machine, told before it becomes moves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+from shapely import LineString
+
+from .floor import Groove, Helix, Plunge
+from .groove import groove_path
+from .linking import Motion, link_times
+from .machine import MIDDLING
+from .model import Floats, PocketRequest
+from .ordering import Step
+from .starts import Start
+from .strokes import Stroke
+from .timing import polyline_seconds
+
+#: Links avoid tighter bends than this, over R.
+LEAST_RADIUS = 0.12
+#: A lift, over and down again takes about so long [s].
+LIFT_SECONDS = 3.0
+
+
+def motion_of(request: PocketRequest) -> Motion:
+    """Return what limits the motion between cuts on the request's machine."""
+    machine = request.machine or MIDDLING
+    link = min(request.link_feed, machine.flat_speed)
+    cut = min(request.feeds.horizontal, machine.flat_speed)
+    least_radius = LEAST_RADIUS * request.cutter_radius
+    return Motion(min(machine.acceleration[:2]), link, cut, least_radius)
+
+
+def seconds_of(steps: Sequence[Step], request: PocketRequest, motion: Motion) -> float:
+    """Return how long cuts and links take, at the last level [s]."""
+    total = 0.0
+    for step in steps:
+        total += way_seconds(step.points, request, motion)
+        if step.link is None:
+            total += LIFT_SECONDS
+        elif len(step.link):
+            total += float(link_times(step.link[None], motion)[0])
+    return total
+
+
+def way_seconds(points: Floats, request: PocketRequest, motion: Motion) -> float:
+    """Return how long a way takes at the cutting feed, from and to full speed [s]."""
+    feed, machine = motion.cut_feed, request.machine or MIDDLING
+    if points.shape[1] == 2:
+        points = np.column_stack([points, np.zeros(len(points))])
+    return float(polyline_seconds(points, feed, machine, feed, feed))
+
+
+def entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float:
+    """Return how long the way down takes [s]."""
+    entry, angle, depth = start.entry, request.entry.helix_angle, request.axial_depth
+    if isinstance(entry, Plunge):
+        return 0.0
+    ring = shapely.get_coordinates(start.ring)
+    once = way_seconds(ring, request, motion)
+    if isinstance(entry, Helix):
+        return (depth / math.tan(angle) / start.ring.length + 1) * once
+    if isinstance(entry, Groove):
+        return way_seconds(groove_path(entry, angle, depth, 0.0), request, motion)
+    levels = math.ceil(depth / entry.bite - 1e-9)
+    return levels * once + depth / levels / math.tan(angle) / motion.cut_feed
+
+
+def least_seconds(strokes: list[Stroke], motion: Motion) -> float:
+    """Return how long strokes and the links between them take at least [s].
+
+    An open stroke ends where it may go no farther, and all are cut the same way about: from one
+    to the next the cutter turns back, in half a circle as tight as the machine allows.
+    """
+    cuts = sum(LineString(s.points).length for s in strokes) / motion.cut_feed
+    turns = sum(not s.closed for s in strokes) * math.pi * motion.cut_feed / motion.acceleration
+    return cuts + turns

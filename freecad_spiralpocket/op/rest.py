@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rest machining: what earlier operations of the job have left standing in a pocket.
+
+Their paths are read as they are, whichever operation made them: what a flat cutter has swept at the
+depth of the pocket's floor, or deeper, is gone. As in FreeCAD's own pockets these are the
+operations that stand before this one in the job and are active.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import shapely
+from shapely import MultiPolygon, Polygon
+
+from ..engine.coverage import uncut_floor
+from ..engine.errors import RequestError
+from ..engine.model import PocketRequest
+from ..engine.region import polygons_of
+from ..engine.swept import Pieces, cut_into_pieces
+from ..gcode import parse_program
+from .compat import operation_property, parent_job, tool_shape
+from .tools import ROUND_TOOLS, UNSUITABLE_TOOLS
+
+#: A path that ends this much above the floor has cleared it [mm].
+SHALLOW = 0.005
+#: Walls of earlier cuts may be off by this; what is thinner than twice that is no rest [mm].
+SKIN = 0.015
+#: The rest is taken for wider by this [mm]: cutting air does no harm.
+MORE = 0.005
+#: Stock around a pocket without open sides, over the cutter's diameter.
+AROUND = 10.0
+#: Where no feed is given any will do here [mm/s].
+ANY_FEED = 1.0
+#: Words of a path that turns the part.
+_TURNS = re.compile(r"\b[ABC]\s*[-+.\d]")
+
+
+def rest_of(wanted: PocketRequest, obj: Any, known: dict[Any, Any]) -> PocketRequest:
+    """Return a request for what earlier operations have left of a pocket.
+
+    Parameters
+    ----------
+    wanted : PocketRequest
+        For the whole pocket.
+    obj : object
+        The operation.
+    known : dict
+        See `Pockets`.
+    """
+    pocket, floor = wanted.pocket, wanted.floor
+    rest: shapely.Geometry = pocket
+    for operation, diameter in _cutters_before(obj):
+        path = operation.Path
+        key = (operation.Name, path.Size, path.Length, diameter, rest.wkb, floor)
+        if key not in known:
+            pieces = _pieces(path.toGCode(), diameter / 2, floor, wanted.axial_depth)
+            known[key] = rest
+            if pieces is not None:
+                known[key] = uncut_floor(rest, pieces, floor + SHALLOW, diameter / 2, 0.0)
+        rest = known[key]
+    if rest is pocket:
+        return wanted
+    rest = shapely.buffer(shapely.buffer(rest, -SKIN), SKIN + MORE)
+    cleared = shapely.difference(pocket, rest)
+    around = wanted.stock
+    if around is None:
+        reach = AROUND * wanted.tool_diameter
+        around = shapely.buffer(shapely.box(*pocket.bounds), reach, join_style="mitre")
+    parts = polygons_of(shapely.difference(around, cleared))
+    return replace(wanted, stock=parts[0] if len(parts) == 1 else MultiPolygon(parts))
+
+
+def share_cleared(request: PocketRequest) -> float:
+    """Return which share of a pocket was cleared before, in [0, 1]."""
+    return 1 - float(request.to_clear(request.pocket).area) / _inside(request).area
+
+
+def _inside(request: PocketRequest) -> Polygon:
+    """Return the ground of a pocket within its own edge."""
+    pocket = request.pocket
+    return pocket if request.beyond is None else pocket.difference(request.beyond)
+
+
+def _cutters_before(obj: Any) -> Iterator[tuple[Any, float]]:
+    """Yield the operations before this one that clear ground, and their cutters' diameters [mm]."""
+    job = parent_job(obj)
+    for operation in job.Operations.Group:
+        if obj.Name in (operation.Name, *(o.Name for o in operation.OutListRecursive)):
+            return
+        controller = operation_property(operation, "ToolController")
+        if controller is None or not operation_property(operation, "Active"):
+            continue
+        tool = controller.Proxy.getTool(controller)
+        if tool and tool_shape(tool) not in (*ROUND_TOOLS, *UNSUITABLE_TOOLS):
+            yield operation, float(tool.Diameter)
+
+
+def _pieces(program: str, radius: float, floor: float, depth: float) -> Pieces | None:
+    """Return the motion of a path near the floor; None if it is none that clears a floor."""
+    if _TURNS.search(re.sub(r"\([^)]*\)", "", program)):
+        return None
+    try:
+        path = parse_program(program, feed=ANY_FEED)
+    except RequestError:  # a path of holes, or none at all
+        return None
+    return cut_into_pieces(path, radius, floor + 2 * SHALLOW, depth)

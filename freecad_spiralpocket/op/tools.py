@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the shapes of tools are good for, by the names of `compat.tool_shape`."""
+
+from __future__ import annotations
+
+#: Tools that cut with their side, but leave ridges on the floor.
+ROUND_TOOLS = ("ballend", "bullnose", "torus", "taperedballnose")
+#: Tools that cannot clear a pocket at all.
+UNSUITABLE_TOOLS = (
+    "chamfer",
+    "dovetail",
+    "drill",
+    "fillet",
+    "probe",
+    "radius",
+    "reamer",
+    "tap",
+    "threadmill",
+    "vbit",
+)

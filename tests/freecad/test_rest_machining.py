@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rest machining: a smaller cutter takes what earlier operations left, and no more."""
+
+import numpy as np
+import Part
+import pytest
+import shapely
+from FreeCAD import Vector
+from sample_parts import (
+    DEPTH,
+    add_job,
+    add_part,
+    area,
+    block,
+    faces_at,
+    motion,
+    polygon,
+    rectangle,
+    set_feeds,
+)
+from solid_oracle import Surface, gouges, places
+
+from freecad_spiralpocket import api
+from freecad_spiralpocket.engine.errors import AlreadyClearedError
+from freecad_spiralpocket.op import compat
+
+LARGE, SMALL = 16.0, 6.0
+
+#: Two rooms and a channel too narrow for the large cutter.
+DUMBBELL = [(0, 0), (40, 0), (40, 15), (60, 15), (60, 0), (100, 0), (100, 40), (60, 40)]
+DUMBBELL += [(60, 25), (40, 25), (40, 40), (0, 40)]
+
+
+def job_of(doc, shape):
+    """Return a job with a part, and a tool controller for each cutter."""
+    part = add_part(doc, shape)
+    job = add_job(doc, part, diameter=LARGE)
+    large = job.Tools.Group[0]
+    small = compat.add_tool_controller(job, SMALL)
+    set_feeds(small, 1500.0)
+    doc.recompute()
+    return job, part, large, small
+
+
+def cut(job, part, controller, **options):
+    base = [(part, faces_at(part.Shape, -DEPTH))]
+    return api.add_spiral_pocket(job, base, controller, **options)
+
+
+def swept(op, diameter):
+    """Return the ground that an operation clears down to the floor."""
+    deep = [p[:2] for p in places(motion(op), 0.2) if p[2] < -DEPTH + 0.001]
+    return shapely.union_all(
+        shapely.buffer(shapely.points(np.array(deep)), diameter / 2, quad_segs=32)
+    )
+
+
+def reachable(points, diameter):
+    return shapely.Polygon(points).buffer(-diameter / 2).buffer(diameter / 2, quad_segs=64)
+
+
+@pytest.mark.parametrize("mode", ["Climb", "Conventional"])
+@pytest.mark.parametrize("outline", [[(0, 0), (60, 0), (60, 45), (0, 45)], DUMBBELL])
+def test_the_small_cutter_takes_what_the_large_one_left(doc, outline, mode):
+    shape = block(area(polygon(outline)))
+    job, part, large, small = job_of(doc, shape)
+    first = cut(job, part, large)
+    rest = cut(job, part, small, UseRestMachining=True, CutMode=mode)
+    whole = cut(job, part, small, CutMode=mode)
+    assert rest.MachiningTime < 0.7 * whole.MachiningTime
+    both = shapely.union(swept(first, LARGE), swept(rest, SMALL))
+    left = shapely.difference(reachable(outline, SMALL), both.buffer(0.03)).buffer(-0.01)
+    assert left.area < 0.05
+    assert len(gouges(Surface(shape), places(motion(rest), 1.5), SMALL / 2, 0.01)) == 0
+    (plan,) = rest.Proxy.plans
+    assert plan.report.uncut_area < 0.05 and plan.report.rapid_hit == 0
+    assert any("% of this pocket" in notice for notice in rest.Notices)
+
+
+def test_nothing_that_was_left_is_passed_in_the_air(doc):
+    # the engagement that the report tells is that in the stock which stands, as an own sweep has it
+    job, part, large, small = job_of(doc, block(area(polygon(DUMBBELL))))
+    first = swept(cut(job, part, large), LARGE)
+    (plan,) = cut(job, part, small, UseRestMachining=True).Proxy.plans
+    report = plan.report
+    centers = shapely.points(report.engagement_points[:, :2])
+    inside = shapely.contains(first.buffer(-0.1), shapely.buffer(centers, SMALL / 2))
+    assert inside.any() and report.engagement_angles[inside].max() == 0.0
+    assert report.engagement_max > np.radians(45)
+
+
+def test_what_comes_later_or_is_not_active_has_cleared_nothing(doc):
+    job, part, large, small = job_of(doc, block(area(rectangle(40, 40))))
+    rest = cut(job, part, small, UseRestMachining=True)
+    whole = rest.MachiningTime
+    assert any(notice.startswith("No earlier operation") for notice in rest.Notices)
+    first = cut(job, part, large)
+    doc.recompute([rest], True)
+    assert rest.MachiningTime == whole
+    job.Operations.Group = [first, rest]
+    first.Active = False
+    rest.touch()
+    doc.recompute()
+    assert rest.MachiningTime == whole
+    first.Active = True
+    first.touch()
+    doc.recompute()
+    rest.touch()
+    doc.recompute()
+    assert rest.MachiningTime < whole / 2
+
+
+def test_what_did_not_reach_the_floor_or_left_stock_on_the_wall_is_rest(doc):
+    job, part, large, small = job_of(doc, block(area(rectangle(40, 40, 9.0))))
+    first = cut(job, part, large, ZStockToLeave=0.3)
+    rest = cut(job, part, small, UseRestMachining=True)
+    assert any(notice.startswith("No earlier operation") for notice in rest.Notices)
+    whole = rest.MachiningTime
+    first.ZStockToLeave, first.StockToLeave = 0.0, 0.3
+    doc.recompute()
+    rest.touch()
+    doc.recompute()
+    # one lap along the wall
+    assert 0.05 * whole < rest.MachiningTime < whole / 2
+    assert rest.Proxy.plans[0].report.engagement_max < np.radians(60)
+
+
+def test_a_pocket_that_was_cleared_wholly_is_told(doc):
+    job, part, large, small = job_of(doc, block(area(rectangle(40, 40, 9.0))))
+    cut(job, part, large)
+    before = len(job.Operations.Group)
+    with pytest.raises(AlreadyClearedError, match="as far as this cutter reaches"):
+        cut(job, part, small, UseRestMachining=True)
+    assert len(job.Operations.Group) == before
+
+
+def test_paths_of_other_operations_count(doc):
+    """A profile's arcs and lines, written by hand: a groove along the wall."""
+    import Path
+
+    job, part, large, small = job_of(doc, block(area(rectangle(60, 40, 9.0))))
+    other = doc.addObject("Path::FeaturePython", "Other")
+    other.addProperty("App::PropertyLink", "ToolController")
+    other.addProperty("App::PropertyBool", "Active")
+    other.ToolController, other.Active = large, True
+    job.Operations.addObject(other)
+    box = part.Shape.BoundBox
+    x0, x1 = box.XMin + 12 + LARGE / 2, box.XMax - 12 - LARGE / 2
+    y = (box.YMin + box.YMax) / 2
+    words = [f"G0 X{x0} Y{y} Z5", f"G1 Z{-DEPTH}", f"G1 X{x1}", "G0 Z5"]
+    other.Path = Path.Path([Path.Command(line) for line in words])
+    job.Operations.Group = [other]
+    rest = cut(job, part, small, UseRestMachining=True)
+    assert any("% of this pocket" in notice for notice in rest.Notices)
+    (plan,) = rest.Proxy.plans
+    assert plan.report.uncut_area < 0.05
+    # the groove is where the cutter goes down
+    down = next(p for p in places(motion(rest), 1.0) if p[2] < -0.1)
+    assert abs(down[1] - y) < (LARGE - SMALL) / 2 and x0 - 5 < down[0] < x1 + 5
+
+
+def test_slanted_walls_count_by_the_floor(doc):
+    def outline(off, z):
+        corners = [(-off, -off), (50 + off, -off), (50 + off, 40 + off), (-off, 40 + off)]
+        return Part.makePolygon([Vector(x, y, z) for x, y in [*corners, corners[0]]])
+
+    hollow = Part.makeLoft([outline(0, -DEPTH), outline(3, 0)], True)
+    shape = Part.makeBox(80, 70, 20, Vector(-15, -15, -20)).cut(hollow)
+    job, part, large, small = job_of(doc, shape)
+    cut(job, part, large, StepDown=3.0)
+    rest = cut(job, part, small, StepDown=3.0, UseRestMachining=True)
+    assert len(gouges(Surface(shape), places(motion(rest), 1.5), SMALL / 2, 0.01)) == 0
+    assert rest.Proxy.plans[0].report.uncut_area < 0.05
