@@ -201,6 +201,12 @@ def _raise_failure(op: Any) -> None:
             "FreeCAD could not compute the operation.", "Its report view says what happened."
         )
     if op.Active and not op.Proxy.plans:
+        if not op.Proxy.errors:
+            raise SetupError(
+                "FreeCAD did not compute the operation.",
+                "Something that it depends on failed, the tool or the part for instance; the "
+                "report view says what.",
+            )
         raise op.Proxy.errors[0]
 
 

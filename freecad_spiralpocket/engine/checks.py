@@ -16,6 +16,8 @@ from .model import FeedPlan, PocketRequest
 
 #: Levels may pass the one above, and the step down, by this [mm].
 NESTED = 0.01
+#: Largest tolerance, over D.
+COARSEST = 0.05
 
 
 def check_request(request: PocketRequest) -> None:
@@ -55,6 +57,11 @@ def _check_numbers(request: PocketRequest) -> None:
     _check_positive("The horizontal rapid rate", feeds.horizontal_rapid, hint)
     _check_positive("The vertical rapid rate", feeds.vertical_rapid, hint)
     _check_positive("The tolerance", request.tolerance, "0.01 mm is usual.")
+    if request.tolerance > COARSEST * request.tool_diameter:
+        raise RequestError(
+            f"A tolerance of {request.tolerance:g} mm is too coarse for this cutter.",
+            f"Set Tolerance to at most {COARSEST * request.tool_diameter:g} mm; 0.01 mm is usual.",
+        )
     if not 0 < request.entry.helix_angle < math.pi / 2:
         raise RequestError(
             f"A helix angle of {math.degrees(request.entry.helix_angle):g} degrees cannot be cut.",

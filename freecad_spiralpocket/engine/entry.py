@@ -126,7 +126,7 @@ def cut_entry(
     elif isinstance(entry, Groove):
         _cut_points(builder, groove_path(entry, angle, top, bottom), angle, feeds, slack)
     elif isinstance(entry, Plunge):
-        builder.rapid(feeds.vertical_rapid, z=min(bottom + APPROACH, builder.here[2]))
+        # fed all the way: the edge of the stock may be off by more than the cutter keeps from it
         builder.line((*entry.place, bottom), feeds.vertical, Role.ENTRY)
     else:
         _cut_slot(builder, entry, angle, top, bottom, feeds, slack)

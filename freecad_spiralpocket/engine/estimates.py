@@ -59,7 +59,7 @@ def entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float
     """Return how long the way down takes [s]."""
     entry, angle, depth = start.entry, request.entry.helix_angle, request.axial_depth
     if isinstance(entry, Plunge):
-        return 0.0
+        return depth / request.feeds.vertical
     ring = shapely.get_coordinates(start.ring)
     once = way_seconds(ring, request, motion)
     if isinstance(entry, Helix):

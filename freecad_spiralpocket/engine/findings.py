@@ -77,8 +77,13 @@ def tell_steps(step: Step) -> list[Notice]:
     ]
 
 
-def tell_engagement(angle: float, place: Place, request: PocketRequest) -> list[Notice]:
-    """Tell where the engagement is largest [rad], if that is clearly above the limit."""
+def tell_engagement(
+    angle: float, place: Place, share: float, request: PocketRequest
+) -> list[Notice]:
+    """Tell where the engagement is largest [rad], if that is clearly above the limit.
+
+    And which share of the cut clearly passes the limit.
+    """
     limit = request.engagement_limit
     if angle <= over_limit(limit):
         return []
@@ -86,8 +91,9 @@ def tell_engagement(angle: float, place: Place, request: PocketRequest) -> list[
     return [
         Notice(
             f"At {{at}} the engagement reaches {np.degrees(angle):.0f} degrees, the step-over of "
-            f"{percent:.0f} % allows {np.degrees(limit):.0f}.",
-            "Lower the feed or the step-over if the cut is too heavy for the cutter.",
+            f"{percent:.0f} % allows {np.degrees(limit):.0f}; {100 * share:.1f} % of the cut "
+            "clearly pass that.",
+            "The feed is lowered there; take a lower one if that is too heavy for the cutter.",
             place,
         )
     ]

@@ -101,8 +101,18 @@ def _go_down(
     bottom: float,
     request: PocketRequest,
 ) -> None:
-    """Add the way over to an entry, at the height where the cutter is, and down to the floor."""
-    feeds, angle = request.feeds, request.entry.helix_angle
-    builder.rapid(feeds.horizontal_rapid, *entry_start(entry, angle, top, bottom))
-    builder.rapid(feeds.vertical_rapid, z=min(top + APPROACH, request.heights.safe))
+    """Add the way over to an entry, at the height where the cutter is, and down to the floor.
+
+    Below the safe height rapids go only to where an earlier level was cut: nobody knows how well
+    the top of the stock is where it should be.
+    """
+    feeds, angle, heights = request.feeds, request.entry.helix_angle, request.heights
+    x, y = entry_start(entry, angle, top, bottom)
+    near = min(top + APPROACH, heights.safe)
+    builder.rapid(feeds.horizontal_rapid, x, y)
+    if top < heights.start_depth:
+        builder.rapid(feeds.vertical_rapid, z=near)
+    else:
+        builder.rapid(feeds.vertical_rapid, z=heights.safe)
+        builder.line((x, y, near), feeds.vertical, Role.ENTRY)
     cut_entry(builder, entry, angle, top, bottom, feeds, ARC_SHARE * request.tolerance)

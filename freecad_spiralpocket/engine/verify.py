@@ -93,7 +93,7 @@ def prove(
             *findings.tell_hits("link", link.length, link.place),
             *findings.tell_uncut(uncut, request),
             *findings.tell_steps(step),
-            *findings.tell_engagement(load.largest, load.place, request),
+            *findings.tell_engagement(load.largest, load.place, load.over_share, request),
         ),
     )
 

@@ -282,7 +282,7 @@ def _figures(drawn: Drawn) -> str:
             translate("SpiralPocket", "Mean engagement"),
             f"{np.degrees(report.engagement_mean):.0f}°",
         ),
-        (translate("SpiralPocket", "Left uncut"), small(report.uncut_area, power=2)),
+        (translate("SpiralPocket", "Left uncut in reach"), small(report.uncut_area, power=2)),
     ]
     cells = "".join(f"<tr><td>{n}&nbsp;</td><td align=right>{v}</td></tr>" for n, v in rows)
     return f"<table width=100%>{cells}</table>"

@@ -14,13 +14,14 @@ from .localized import localized
 translate = FreeCAD.Qt.translate
 
 
-def show(*errors: SpiralPocketError) -> None:
-    """Show one box for all `errors` and wait until it is closed."""
+def show(*errors: SpiralPocketError, more: str = "") -> None:
+    """Show one box for all `errors`, and `more` below them, and wait until it is closed."""
     box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
     box.setObjectName("SpiralPocketMessage")
     box.setIcon(QtGui.QMessageBox.Warning)
     box.setWindowTitle(translate("SpiralPocket", "Spiral Pocket"))
     box.setText("\n\n".join(localized(error.message) for error in errors))
-    box.setInformativeText("\n".join(dict.fromkeys(localized(e.hint) for e in errors if e.hint)))
+    hints = dict.fromkeys(localized(e.hint) for e in errors if e.hint)
+    box.setInformativeText("\n".join([*hints, *([more] if more else [])]))
     box.setStandardButtons(QtGui.QMessageBox.Ok)
     run_dialog(box)

@@ -19,7 +19,7 @@ from PySide import QtCore
 
 from ..engine.dependencies import require_libraries
 from ..engine.errors import CancelledError, SpiralPocketError
-from ..engine.model import Plan, PocketRequest
+from ..engine.model import Notice, Plan, PocketRequest
 from . import planning
 from .lane import Job
 from .tasks import Drawn
@@ -44,6 +44,8 @@ class Outlook:
         One for each selected face that makes a sound request.
     problems : list of SpiralPocketError
         What keeps other pockets, or all, from being planned.
+    notices : list of Notice
+        What is to be told of the pockets before they are planned.
     listeners : list of callable
         Called after every change of what can be seen here.
     is_on, is_stopped : bool
@@ -54,6 +56,7 @@ class Outlook:
         self._obj = page.obj
         self.pockets: list[Pocket] = []
         self.problems: list[SpiralPocketError] = []
+        self.notices: list[Notice] = []
         self.listeners: list[Callable[[], None]] = []
         self.is_on, self.is_stopped = True, False
         self._shapes: dict[Any, Any] = {}  # what was read off the model
@@ -138,7 +141,7 @@ class Outlook:
             timer.stop()
         for pocket in self.pockets:
             pocket.close()
-        self.pockets, self.problems = [], []
+        self.pockets, self.problems, self.notices = [], [], []
 
     def _look(self) -> None:
         """Foresee the requests; keep the pockets that stayed the same."""
@@ -148,9 +151,11 @@ class Outlook:
             require_libraries()
             from ..op.foresight import requests_of
 
-            found = requests_of(self._obj, self._shapes) if self._obj.Active else []
+            found, self.notices = [], []
+            if self._obj.Active:
+                found, self.notices = requests_of(self._obj, self._shapes)
         except SpiralPocketError as error:
-            found = [error]
+            found, self.notices = [error], []
         self.problems = [f for f in found if isinstance(f, SpiralPocketError)]
         old = {p.request: p for p in self.pockets}
         wanted = [f for f in found if isinstance(f, PocketRequest)]

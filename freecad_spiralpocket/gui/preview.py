@@ -75,6 +75,8 @@ class Preview:
             item = kept.get(pocket)
             if pocket.drawn is not None and not isinstance(item, PathItem):
                 kept[pocket] = _path_item(pocket.drawn, scale)
+            elif pocket.error is not None:
+                kept.pop(pocket, None)  # no draft of what cannot be cut
             elif pocket.draft is not None and item is None:
                 kept[pocket] = DraftItem(pocket.draft)
             elif recolored and isinstance(item, PathItem):

@@ -47,14 +47,16 @@ def progress_dialog(label: str) -> Iterator[Progress]:
     dialog.setWindowModality(QtCore.Qt.ApplicationModal)
     dialog.setAutoClose(False)
     dialog.setAutoReset(False)
-    dialog.setMinimumDuration(SHOW_AFTER)
-    dialog.setValue(0)  # starts the clock
-    next_update = 0.0
+    dialog.setMinimumDuration(2 * SHOW_AFTER)
+    dialog.setValue(0)
+    show_at, next_update = time.monotonic() + SHOW_AFTER / 1000, 0.0
 
     def report(fraction: float, stage: str) -> bool:
         nonlocal next_update
         if time.monotonic() >= next_update:
             dialog.setValue(int(STEPS * min(1.0, max(0.0, fraction))))
+            if time.monotonic() >= show_at and not dialog.isVisible():
+                dialog.show()  # of its own accord it does so only when the value changes
             if dialog.isVisible():  # and modal: nothing but Stop can happen here
                 dialog.setLabelText(f"{label}\n{localized(stage)}")
                 QtCore.QCoreApplication.processEvents()

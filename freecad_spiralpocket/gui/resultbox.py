@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 from .compat import freecad_icon
 from .localized import localized
 from .outlook import Outlook
-from .resultfigures import Place, Remark, figures_of, is_applied, remarks_of
+from .resultfigures import Place, Remark, figures_of, is_applied, remarks_of, summary_of
 from .zoom import zoom_to
 
 translate = FreeCAD.Qt.translate
@@ -102,6 +102,7 @@ class ResultBox:
         self._state.setText(state)
         if not is_known and not remarks:
             return
+        self._page.form.summary.setText(summary_of(self._obj, plans, remarks) or state)
         self._show_figures(figures_of(self._obj, plans) if plans else [])
         self._show_remarks(remarks)
 

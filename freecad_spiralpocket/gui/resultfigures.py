@@ -14,6 +14,7 @@ import Path
 from ..engine.errors import SpiralPocketError
 from ..engine.model import Notice, Plan
 from ..op import commands, request, results
+from .localized import localized
 from .resulttext import duration, length, small
 
 if TYPE_CHECKING:
@@ -58,11 +59,36 @@ def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
         ),
         (translate("SpiralPocket", "Mean engagement"), f"{np.degrees(mean):.0f}°"),
         (
-            translate("SpiralPocket", "Left uncut"),
+            translate("SpiralPocket", "Entry at full width, deep"),
+            small(max(r.entry_bite for r in reports)),
+        ),
+        (
+            translate("SpiralPocket", "Left uncut in reach"),
             small(sum(r.uncut_area for r in reports), power=2),
         ),
         (translate("SpiralPocket", "Gouge"), small(max(r.gouge for r in reports))),
     ]
+
+
+def summary_of(obj: Any, plans: Sequence[Plan], remarks: Sequence[Remark]) -> str:
+    """Return time, largest engagement and number of remarks in one line, or what is the matter.
+
+    Empty while nothing is known.
+    """
+    if not plans:
+        return localized(remarks[0].text) if remarks else ""
+    timed = request.has_feeds(obj.ToolController)
+    reports = [p.report for p in plans]
+    parts = [
+        duration(results.machining_time(plans) if timed else 0.0),
+        translate("SpiralPocket", "{:.0f}°, limit {:.0f}°").format(
+            np.degrees(max(r.engagement_max for r in reports)),
+            np.degrees(max(r.engagement_limit for r in reports)),
+        ),
+    ]
+    if remarks:
+        parts.append(translate("SpiralPocket", "{} remarks below").format(len(remarks)))
+    return "; ".join(parts)
 
 
 def naive_time(tool_controller: Any, plans: Sequence[Plan]) -> float:
@@ -80,7 +106,8 @@ def is_applied(obj: Any, plans: Sequence[Plan]) -> bool:
 
 def remarks_of(obj: Any, outlook: Outlook) -> list[Remark]:
     """Return what is to be told of the path, or why there is none."""
-    known: list[tuple[Notice | SpiralPocketError, float]] = []
+    top = outlook.pockets[0].request.heights.start_depth if outlook.pockets else 0.0
+    known: list[tuple[Notice | SpiralPocketError, float]] = [(n, top) for n in outlook.notices]
     for pocket in outlook.pockets:
         drawn = pocket.drawn
         found = [pocket.error] if pocket.error else drawn.plan.report.notices if drawn else ()

@@ -97,7 +97,8 @@ class TaskPanel(PathOpGui.TaskPanel):
         errors = self.obj.Proxy.errors or self._unexpected_errors()
         shown = [e for e in errors if not isinstance(e, CancelledError)]
         if shown:
-            messages.show(*shown)
+            kept = translate("SpiralPocket", "OK once more keeps what was made without that.")
+            messages.show(*shown, more=kept if self.obj.Proxy.plans else "")
         return not errors
 
     def panelCleanup(self) -> None:  # noqa: N802 - the name FreeCAD calls

@@ -16,7 +16,7 @@ from typing import Any
 import FreeCAD
 
 from ..engine.errors import RequestError, SpiralPocketError
-from ..engine.model import PocketRequest
+from ..engine.model import Notice, PocketRequest
 from . import selection
 from .compat import parent_job
 from .pockets import Pockets
@@ -65,8 +65,8 @@ class Foresight:
 
 def requests_of(
     obj: Any, known: dict[Any, Any] | None = None
-) -> list[PocketRequest | SpiralPocketError]:
-    """Return what the next recompute will ask for, one for each selected face.
+) -> tuple[list[PocketRequest | SpiralPocketError], list[Notice]]:
+    """Return what the next recompute will ask for, one for each selected face, and its notices.
 
     Parameters
     ----------
@@ -80,7 +80,9 @@ def requests_of(
     SpiralPocketError
         If it could not begin: no job, no tool, no face.
     """
-    return [wanted for _, wanted in Pockets(Foresight(obj), known=known).requests()]
+    pockets = Pockets(Foresight(obj), known=known)
+    found = pockets.requests()
+    return [wanted for _, wanted in found], pockets.foreseen_notices(found)
 
 
 def _now(obj: Any) -> list[tuple[str, float]]:

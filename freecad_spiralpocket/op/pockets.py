@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 from ..engine import plan as plan_pocket
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Notice, Plan, PocketRequest, Progress
-from . import commands, open_sides, request, rest, sections, selection, walls
+from . import commands, open_sides, remarks, request, rest, sections, selection, walls
 from .compat import parent_job
 
 #: Share of the operation's tolerance that goes into the chords of curved walls; the rest is
@@ -25,14 +25,14 @@ SAG_RANGE = (1e-4, 0.02)
 #: A smaller part of the floor under leaning walls is not told [mm2].
 TOLD_OVERHANG = 0.5
 
-#: A smaller share of a pocket that was cleared before is none.
-TOLD_SHARE = 0.001
-
 #: Plans many pockets: called with their requests and a progress, returns for each a plan or what
 #: is the matter with it; raises `CancelledError` if the progress says so.
 Planner: TypeAlias = Callable[
     [Sequence[PocketRequest], Progress | None], Sequence[Plan | SpiralPocketError]
 ]
+
+#: A floor and its request, or None and what is the matter.
+Found: TypeAlias = tuple[selection.Floor | None, PocketRequest | SpiralPocketError]
 
 
 class Pockets:
@@ -68,11 +68,11 @@ class Pockets:
         self._overhung: dict[str, float] = {}
         self.plans: list[Plan] = []
 
-    def requests(self) -> list[tuple[selection.Floor | None, PocketRequest | SpiralPocketError]]:
+    def requests(self) -> list[Found]:
         """Return for each selected face its floor and request, or None and what is the matter."""
         floors = [self._floor(*face) for face in self._selected]
         sound = [f for f in floors if isinstance(f, selection.Floor)]
-        found: list[tuple[selection.Floor | None, PocketRequest | SpiralPocketError]] = []
+        found: list[Found] = []
         for floor in floors:
             if isinstance(floor, SpiralPocketError):
                 found.append((None, floor))
@@ -120,6 +120,16 @@ class Pockets:
         failed = [
             Notice(f"{e.message} This pocket is not cut.", e.hint, e.place) for e in self.errors
         ]
+        return [*failed, *self._general_notices([p.request for p in self.plans]), *self._notices]
+
+    def foreseen_notices(self, found: Sequence[Found]) -> list[Notice]:
+        """Return what is known of `requests()` before anything is planned."""
+        sound = [(f, r) for f, r in found if f is not None and isinstance(r, PocketRequest)]
+        told = [notice for floor, wanted in sound for notice in self._remarks_on(floor, wanted)]
+        return [*self._general_notices([wanted for _, wanted in sound]), *told]
+
+    def _general_notices(self, wanted: Sequence[PocketRequest]) -> list[Notice]:
+        """Return what concerns all pockets."""
         feeds = []
         if not request.has_feeds(self._obj.ToolController):
             feeds.append(
@@ -129,7 +139,7 @@ class Pockets:
                     "Set the horizontal and vertical feed in the tool controller.",
                 )
             )
-        return [*failed, *feeds, *self._start_point_notices(), *self._notices]
+        return [*feeds, *self._start_point_notices(wanted)]
 
     def commands(self) -> list[Any]:
         """Return the commands that cut all pockets one after the other."""
@@ -138,8 +148,8 @@ class Pockets:
             commands.from_toolpath(p.toolpath, with_feeds=with_feeds) for p in self.plans
         )
 
-    def _start_point_notices(self) -> list[Notice]:
-        if not self._obj.UseStartPoint or any(p.request.start_point for p in self.plans):
+    def _start_point_notices(self, wanted: Sequence[PocketRequest]) -> list[Notice]:
+        if not self._obj.UseStartPoint or not wanted or any(w.start_point for w in wanted):
             return []
         point = self._obj.StartPoint
         return [
@@ -213,53 +223,26 @@ class Pockets:
     def _take(self, floor: selection.Floor, plan: Plan) -> None:
         """Add the plan of one pocket, and what is to be told of it."""
         self.plans.append(plan)
+        self._notices += self._remarks_on(floor, plan.request)
+        self._notices += [self._labelled(floor, notice) for notice in plan.report.notices]
+
+    def _remarks_on(self, floor: selection.Floor, wanted: PocketRequest) -> list[Notice]:
+        """Return what is to be told of one pocket, whatever comes of its plan."""
+        job = parent_job(self._obj)
+        found = remarks.depths(wanted, floor.z, job, self._obj)
         if floor.open_edges:
-            self._note(floor, self._open_notice(plan))
+            found.append(remarks.open_sides(wanted))
         if self._overhung[floor.label] > TOLD_OVERHANG:
-            self._note(
-                floor,
-                Notice(
-                    f"Walls lean over the floor; {self._overhung[floor.label]:.0f} mm2 of it below "
-                    "them stay uncut.",
-                    "Machine that part from another side, or with an undercutting tool.",
-                ),
-            )
+            found.append(remarks.overhang(self._overhung[floor.label]))
         if self._obj.UseRestMachining:
-            self._note(floor, _rest_notice(plan.request))
-        for notice in plan.report.notices:
-            self._note(floor, notice)
+            found.append(remarks.rest(rest.share_cleared(wanted)))
+        return [self._labelled(floor, notice) for notice in found]
 
-    def _open_notice(self, plan: Plan) -> Notice:
-        """Return what is to be told of a pocket with open sides."""
-        beyond = plan.request.beyond
-        if beyond is None or beyond.is_empty:  # something may stand there
-            return Notice(
-                "The pocket is open at a side; the cutter stays within the floor there.",
-                "Set ExtendOpenSides, or clear that side with another operation.",
-            )
-        return Notice(
-            "The pocket is open at a side; the cutter runs out of it there.",
-            "Keep clamps away from that side, or unset ExtendOpenSides.",
-        )
-
-    def _note(self, floor: selection.Floor, notice: Notice) -> None:
-        if len(self._selected) > 1:
-            notice = Notice(f"{floor.label}: {notice.message}", notice.hint, notice.place)
-        self._notices.append(notice)
-
-
-def _rest_notice(wanted: PocketRequest) -> Notice:
-    """Return what is to be told of a pocket of which only the rest is to be cut."""
-    share = rest.share_cleared(wanted)
-    if share < TOLD_SHARE:
-        return Notice(
-            "No earlier operation has cleared any of this pocket down to its floor; all is cut.",
-            "Move this operation behind the one with the larger cutter, or unset UseRestMachining.",
-        )
-    return Notice(
-        f"Earlier operations have cleared {100 * share:.0f} % of this pocket; the rest is cut.",
-        "Recompute this operation when they change.",
-    )
+    def _labelled(self, floor: selection.Floor, notice: Notice) -> Notice:
+        """Return a notice that says of which pocket it is, if there are several."""
+        if len(self._selected) == 1:
+            return notice
+        return Notice(f"{floor.label}: {notice.message}", notice.hint, notice.place)
 
 
 def plan_in_turn(

@@ -200,7 +200,12 @@ TABLE = (
         "The exact curves behind the path, B-splines at the floors; can be exported to STEP",
         None,
     ),
-    _result("LargestEngagement", "Angle", "Largest engagement angle that was measured", 0.0),
+    _result(
+        "LargestEngagement",
+        "Angle",
+        "Largest engagement angle that was measured, at the floor after the entry",
+        0.0,
+    ),
     _result("UncutArea", "Float", "Area within the cutter's reach left standing, in mm^2", 0.0),
     _result("Gouge", "Length", "How far the cutter passes the walls, measured", 0.0),
     _result("PathLength", "Length", "Length of all cutting moves", 0.0),

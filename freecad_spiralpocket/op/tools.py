@@ -14,6 +14,7 @@ UNSUITABLE_TOOLS = (
     "probe",
     "radius",
     "reamer",
+    "slittingsaw",
     "tap",
     "threadmill",
     "vbit",

@@ -77,6 +77,10 @@
         <translation>Den Boden über seinen Rand hinaus räumen, wo keine Wand aufsteigt, und dort in der Luft beginnen, wo das Rohteil nahebei endet; sonst bleibt der Fräser innerhalb des Bodens</translation>
     </message>
     <message>
+        <source>Cut only what earlier operations of the job have left standing in the pocket</source>
+        <translation>Nur räumen, was frühere Operationen des Auftrags in der Tasche stehen ließen</translation>
+    </message>
+    <message>
         <source>Make True, if specifying a Start Point</source>
         <translation>Auf Wahr setzen, wenn ein Startpunkt angegeben wird</translation>
     </message>
@@ -89,8 +93,8 @@
         <translation>Die exakten Kurven hinter dem Pfad, B-Splines auf den Böden; als STEP exportierbar</translation>
     </message>
     <message>
-        <source>Largest engagement angle that was measured</source>
-        <translation>Größter gemessener Eingriffswinkel</translation>
+        <source>Largest engagement angle that was measured, at the floor after the entry</source>
+        <translation>Größter gemessener Eingriffswinkel, am Boden nach dem Eintauchen</translation>
     </message>
     <message>
         <source>Area within the cutter's reach left standing, in mm^2</source>
@@ -184,8 +188,8 @@
         <translation>Mittlerer Eingriff</translation>
     </message>
     <message>
-        <source>Left uncut</source>
-        <translation>Stehen geblieben</translation>
+        <source>Left uncut in reach</source>
+        <translation>Ungeschnitten in Reichweite</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -384,16 +388,24 @@
         <translation>Schätzung von FreeCAD</translation>
     </message>
     <message>
+        <source>Entry at full width, deep</source>
+        <translation>Eintauchen in voller Breite, tief</translation>
+    </message>
+    <message>
         <source>Gouge</source>
         <translation>Wandverletzung</translation>
+    </message>
+    <message>
+        <source>{:.0f}°, limit {:.0f}°</source>
+        <translation>{:.0f}°, Grenze {:.0f}°</translation>
     </message>
     <message>
         <source>Time on {}</source>
         <translation>Zeit auf {}</translation>
     </message>
     <message>
-        <source>{:.0f}°, limit {:.0f}°</source>
-        <translation>{:.0f}°, Grenze {:.0f}°</translation>
+        <source>{} remarks below</source>
+        <translation>{} Hinweise unten</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -406,6 +418,10 @@
     <message>
         <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
         <translation>Der Eingriffswinkel im geraden Schnitt bei dieser Zustellung: 90° beim halben Fräserdurchmesser, 180° in der vollen Nut</translation>
+    </message>
+    <message>
+        <source>OK once more keeps what was made without that.</source>
+        <translation>Noch einmal OK behält, was ohne das gemacht wurde.</translation>
     </message>
     <message>
         <source>Remove Spiral Pocket</source>
@@ -583,6 +599,10 @@
         <translation>Mit {0} mm seitlicher Zustellung wird die Tasche nie leer.</translation>
     </message>
     <message>
+        <source>A tolerance of {0} mm is too coarse for this cutter.</source>
+        <translation>Eine Toleranz von {0} mm ist zu grob für diesen Fräser.</translation>
+    </message>
+    <message>
         <source>A {0} move runs through standing stock at {at}, {1} mm in all.</source>
         <translation>Bei {at} fährt ein Weg ({0}) durch stehendes Material, zusammen {1} mm.</translation>
     </message>
@@ -603,8 +623,8 @@
         <translation>Bei {at} schneidet der Fräser {0} mm in die Wand.</translation>
     </message>
     <message>
-        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}.</source>
-        <translation>Bei {at} erreicht der Eingriff {0} Grad, die Zustellung von {1} % erlaubt {2}.</translation>
+        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}; {3} % of the cut clearly pass that.</source>
+        <translation>Bei {at} erreicht der Eingriff {0} Grad, die Zustellung von {1} % erlaubt {2}; {3} % des Schnitts liegen deutlich darüber.</translation>
     </message>
     <message>
         <source>Central Spiral cannot go round islands; there is one at {at}.</source>
@@ -675,6 +695,14 @@
         <translation>In die Operationen des Auftrags ziehen.</translation>
     </message>
     <message>
+        <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
+        <translation>Frühere Operationen haben diese Tasche geräumt, soweit dieser Fräser reicht.</translation>
+    </message>
+    <message>
+        <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
+        <translation>Frühere Operationen haben {0} % dieser Tasche geräumt; der Rest wird gefräst.</translation>
+    </message>
+    <message>
         <source>Give it the number of an end mill, 1 or higher.</source>
         <translation>Die Nummer eines Schaftfräsers geben, 1 oder höher.</translation>
     </message>
@@ -707,6 +735,10 @@
         <translation>Lineares Morphen findet keine Mitte zum Anfangen.</translation>
     </message>
     <message>
+        <source>Look what lies under the stock, or raise FinalDepth.</source>
+        <translation>Nachsehen, was unter dem Rohteil liegt, oder FinalDepth anheben.</translation>
+    </message>
+    <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>FinishDepth verringern oder StepDown vergrößern.</translation>
     </message>
@@ -719,10 +751,6 @@
         <translation>ZStockToLeave verringern.</translation>
     </message>
     <message>
-        <source>Lower the feed or the step-over if the cut is too heavy for the cutter.</source>
-        <translation>Vorschub oder Zustellung verringern, wenn der Schnitt für den Fräser zu schwer ist.</translation>
-    </message>
-    <message>
         <source>Machine that part from another side, or with an undercutting tool.</source>
         <translation>Diesen Teil von einer anderen Seite oder mit einem Hinterschnittwerkzeug bearbeiten.</translation>
     </message>
@@ -733,6 +761,14 @@
     <message>
         <source>More than {0} laps are left beside the spirals.</source>
         <translation>Neben den Spiralen bleiben mehr als {0} Umläufe.</translation>
+    </message>
+    <message>
+        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
+        <translation>Diese Operation hinter die mit dem größeren Fräser schieben oder UseRestMachining ausschalten.</translation>
+    </message>
+    <message>
+        <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>
+        <translation>Keine frühere Operation hat etwas von dieser Tasche bis zum Boden geräumt; alles wird gefräst.</translation>
     </message>
     <message>
         <source>No face is selected.</source>
@@ -751,8 +787,24 @@
         <translation>Einen Schaftfräser in die Werkzeugsteuerung einsetzen.</translation>
     </message>
     <message>
+        <source>Raise FinalDepth or ZStockToLeave if that is not meant.</source>
+        <translation>FinalDepth oder ZStockToLeave anheben, wenn das nicht gemeint ist.</translation>
+    </message>
+    <message>
+        <source>Raise StartDepth to the top of the stock, or clear it with an operation before.</source>
+        <translation>StartDepth auf die Oberseite des Rohteils anheben oder es vorher mit einer Operation räumen.</translation>
+    </message>
+    <message>
+        <source>Raise StockToLeave if that is not meant.</source>
+        <translation>StockToLeave anheben, wenn das nicht gemeint ist.</translation>
+    </message>
+    <message>
         <source>Recompute the operation to try again.</source>
         <translation>Zum erneuten Versuch die Operation neu berechnen.</translation>
+    </message>
+    <message>
+        <source>Recompute this operation when they change.</source>
+        <translation>Diese Operation neu berechnen, wenn jene sich ändern.</translation>
     </message>
     <message>
         <source>Remove it from the base geometry and select the floor of the pocket again.</source>
@@ -835,6 +887,10 @@
         <translation>StepOver auf höchstens 100 % setzen.</translation>
     </message>
     <message>
+        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
+        <translation>Tolerance auf höchstens {0} mm setzen; üblich sind 0.01 mm.</translation>
+    </message>
+    <message>
         <source>Set it in the tool of the tool controller.</source>
         <translation>Im Werkzeug der Werkzeugsteuerung einstellen.</translation>
     </message>
@@ -895,6 +951,18 @@
         <translation>Der Fräser geht {0} mm unter den Boden.</translation>
     </message>
     <message>
+        <source>The cutter goes {0} mm below the selected floor, {1} mm of that below the stock.</source>
+        <translation>Der Fräser geht {0} mm unter den gewählten Boden, davon {1} mm unter das Rohteil.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the selected floor.</source>
+        <translation>Der Fräser geht {0} mm unter den gewählten Boden.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm into the walls.</source>
+        <translation>Der Fräser geht {0} mm in die Wände.</translation>
+    </message>
+    <message>
         <source>The cutter has no room to go down anywhere in the pocket.</source>
         <translation>Der Fräser hat nirgends in der Tasche Platz zum Eintauchen.</translation>
     </message>
@@ -905,6 +973,10 @@
     <message>
         <source>The expression of {0} cannot be evaluated: {1}.</source>
         <translation>Der Ausdruck von {0} lässt sich nicht auswerten: {1}.</translation>
+    </message>
+    <message>
+        <source>The feed is lowered there; take a lower one if that is too heavy for the cutter.</source>
+        <translation>Der Vorschub wird dort gesenkt; einen kleineren nehmen, wenn das für den Fräser zu schwer ist.</translation>
     </message>
     <message>
         <source>The finish depth of {0} mm is not between 0 and the step down of {1} mm.</source>
@@ -1019,6 +1091,10 @@
         <translation>Der Startpunkt ist kein Ort.</translation>
     </message>
     <message>
+        <source>The stock reaches {0} mm above the start depth; the cutter goes down through that without ramping.</source>
+        <translation>Das Rohteil reicht {0} mm über die Starttiefe; der Fräser geht dort ohne Rampe hindurch.</translation>
+    </message>
+    <message>
         <source>The strategy Automatic begins anywhere with room for a helix.</source>
         <translation>Die Strategie Automatisch beginnt überall, wo Platz für eine Helix ist.</translation>
     </message>
@@ -1057,6 +1133,10 @@
     <message>
         <source>Turn the part over, or machine it from another side.</source>
         <translation>Das Werkstück umdrehen oder von einer anderen Seite bearbeiten.</translation>
+    </message>
+    <message>
+        <source>Unset UseRestMachining to cut it all the same.</source>
+        <translation>UseRestMachining ausschalten, um sie trotzdem zu fräsen.</translation>
     </message>
     <message>
         <source>Use a flat end mill, or finish the floor with one.</source>
@@ -1244,6 +1324,10 @@
     <message>
         <source>Extend open sides</source>
         <translation>Offene Seiten erweitern</translation>
+    </message>
+    <message>
+        <source>Use rest machining</source>
+        <translation>Restbearbeitung</translation>
     </message>
     <message>
         <source>Use start point</source>

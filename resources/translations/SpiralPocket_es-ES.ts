@@ -77,6 +77,10 @@
         <translation>Vaciar el fondo más allá de su borde donde no se alza ninguna pared, y empezar allí en el aire si el material acaba cerca; si no, la fresa queda dentro del fondo</translation>
     </message>
     <message>
+        <source>Cut only what earlier operations of the job have left standing in the pocket</source>
+        <translation>Mecanizar solo lo que operaciones anteriores del trabajo dejaron en la cajera</translation>
+    </message>
+    <message>
         <source>Make True, if specifying a Start Point</source>
         <translation>Poner en Verdadero si se indica un punto de inicio</translation>
     </message>
@@ -89,8 +93,8 @@
         <translation>Las curvas exactas de la trayectoria, B-splines en los fondos; exportables a STEP</translation>
     </message>
     <message>
-        <source>Largest engagement angle that was measured</source>
-        <translation>Mayor ángulo de contacto medido</translation>
+        <source>Largest engagement angle that was measured, at the floor after the entry</source>
+        <translation>Mayor ángulo de contacto medido, en el fondo después de la entrada</translation>
     </message>
     <message>
         <source>Area within the cutter's reach left standing, in mm^2</source>
@@ -184,8 +188,8 @@
         <translation>Contacto medio</translation>
     </message>
     <message>
-        <source>Left uncut</source>
-        <translation>Sin cortar</translation>
+        <source>Left uncut in reach</source>
+        <translation>Sin cortar al alcance</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -384,16 +388,24 @@
         <translation>Estimación de FreeCAD</translation>
     </message>
     <message>
+        <source>Entry at full width, deep</source>
+        <translation>Entrada a todo el ancho, profundidad</translation>
+    </message>
+    <message>
         <source>Gouge</source>
         <translation>Sobrecorte</translation>
+    </message>
+    <message>
+        <source>{:.0f}°, limit {:.0f}°</source>
+        <translation>{:.0f}°, límite {:.0f}°</translation>
     </message>
     <message>
         <source>Time on {}</source>
         <translation>Tiempo en {}</translation>
     </message>
     <message>
-        <source>{:.0f}°, limit {:.0f}°</source>
-        <translation>{:.0f}°, límite {:.0f}°</translation>
+        <source>{} remarks below</source>
+        <translation>{} avisos abajo</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -406,6 +418,10 @@
     <message>
         <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
         <translation>El ángulo de contacto en corte recto con este paso: 90° a medio diámetro de fresa, 180° en ranura completa</translation>
+    </message>
+    <message>
+        <source>OK once more keeps what was made without that.</source>
+        <translation>Otra vez Aceptar conserva lo que se hizo sin eso.</translation>
     </message>
     <message>
         <source>Remove Spiral Pocket</source>
@@ -583,6 +599,10 @@
         <translation>Con un paso lateral de {0} mm nunca se vacía la cajera.</translation>
     </message>
     <message>
+        <source>A tolerance of {0} mm is too coarse for this cutter.</source>
+        <translation>Una tolerancia de {0} mm es demasiado basta para esta fresa.</translation>
+    </message>
+    <message>
         <source>A {0} move runs through standing stock at {at}, {1} mm in all.</source>
         <translation>Un movimiento ({0}) atraviesa material en {at}, {1} mm en total.</translation>
     </message>
@@ -603,8 +623,8 @@
         <translation>En {at} la fresa corta {0} mm en la pared.</translation>
     </message>
     <message>
-        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}.</source>
-        <translation>En {at} el contacto llega a {0} grados; el paso del {1} % permite {2}.</translation>
+        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}; {3} % of the cut clearly pass that.</source>
+        <translation>En {at} el contacto llega a {0} grados, el paso lateral de {1} % permite {2}; un {3} % del corte lo supera claramente.</translation>
     </message>
     <message>
         <source>Central Spiral cannot go round islands; there is one at {at}.</source>
@@ -675,6 +695,14 @@
         <translation>Arrástrela a las operaciones del trabajo.</translation>
     </message>
     <message>
+        <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
+        <translation>Operaciones anteriores han vaciado esta cajera hasta donde llega esta fresa.</translation>
+    </message>
+    <message>
+        <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
+        <translation>Operaciones anteriores han vaciado el {0} % de esta cajera; se corta el resto.</translation>
+    </message>
+    <message>
         <source>Give it the number of an end mill, 1 or higher.</source>
         <translation>Dele el número de una fresa, 1 o mayor.</translation>
     </message>
@@ -707,6 +735,10 @@
         <translation>Transición lineal no encuentra un centro donde empezar.</translation>
     </message>
     <message>
+        <source>Look what lies under the stock, or raise FinalDepth.</source>
+        <translation>Mire qué hay debajo del material, o suba FinalDepth.</translation>
+    </message>
+    <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>Reduzca FinishDepth o aumente StepDown.</translation>
     </message>
@@ -719,10 +751,6 @@
         <translation>Reduzca ZStockToLeave.</translation>
     </message>
     <message>
-        <source>Lower the feed or the step-over if the cut is too heavy for the cutter.</source>
-        <translation>Baje el avance o el paso lateral si el corte es demasiado pesado para la fresa.</translation>
-    </message>
-    <message>
         <source>Machine that part from another side, or with an undercutting tool.</source>
         <translation>Mecanice esa parte desde otro lado o con una herramienta de contrasalida.</translation>
     </message>
@@ -733,6 +761,14 @@
     <message>
         <source>More than {0} laps are left beside the spirals.</source>
         <translation>Quedan más de {0} vueltas junto a las espirales.</translation>
+    </message>
+    <message>
+        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
+        <translation>Mueva esta operación detrás de la de la fresa mayor, o desactive UseRestMachining.</translation>
+    </message>
+    <message>
+        <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>
+        <translation>Ninguna operación anterior ha vaciado nada de esta cajera hasta el fondo; se corta todo.</translation>
     </message>
     <message>
         <source>No face is selected.</source>
@@ -751,8 +787,24 @@
         <translation>Ponga una fresa plana en el controlador de herramienta.</translation>
     </message>
     <message>
+        <source>Raise FinalDepth or ZStockToLeave if that is not meant.</source>
+        <translation>Suba FinalDepth o ZStockToLeave si no es lo que se quiere.</translation>
+    </message>
+    <message>
+        <source>Raise StartDepth to the top of the stock, or clear it with an operation before.</source>
+        <translation>Suba StartDepth a la cara superior del material, o vacíelo antes con otra operación.</translation>
+    </message>
+    <message>
+        <source>Raise StockToLeave if that is not meant.</source>
+        <translation>Suba StockToLeave si no es lo que se quiere.</translation>
+    </message>
+    <message>
         <source>Recompute the operation to try again.</source>
         <translation>Recalcule la operación para intentarlo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Recompute this operation when they change.</source>
+        <translation>Recalcule esta operación cuando aquellas cambien.</translation>
     </message>
     <message>
         <source>Remove it from the base geometry and select the floor of the pocket again.</source>
@@ -835,6 +887,10 @@
         <translation>Ponga StepOver en 100 % o menos.</translation>
     </message>
     <message>
+        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
+        <translation>Ponga Tolerance a {0} mm como máximo; lo habitual es 0.01 mm.</translation>
+    </message>
+    <message>
         <source>Set it in the tool of the tool controller.</source>
         <translation>Póngalo en la herramienta del controlador.</translation>
     </message>
@@ -895,6 +951,18 @@
         <translation>La fresa baja {0} mm por debajo del fondo.</translation>
     </message>
     <message>
+        <source>The cutter goes {0} mm below the selected floor, {1} mm of that below the stock.</source>
+        <translation>La fresa baja {0} mm por debajo del fondo elegido, de ellos {1} mm por debajo del material.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the selected floor.</source>
+        <translation>La fresa baja {0} mm por debajo del fondo elegido.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm into the walls.</source>
+        <translation>La fresa entra {0} mm en las paredes.</translation>
+    </message>
+    <message>
         <source>The cutter has no room to go down anywhere in the pocket.</source>
         <translation>La fresa no tiene sitio para bajar en ninguna parte de la cajera.</translation>
     </message>
@@ -905,6 +973,10 @@
     <message>
         <source>The expression of {0} cannot be evaluated: {1}.</source>
         <translation>La expresión de {0} no se puede evaluar: {1}.</translation>
+    </message>
+    <message>
+        <source>The feed is lowered there; take a lower one if that is too heavy for the cutter.</source>
+        <translation>Allí se reduce el avance; tome uno menor si es demasiado para la fresa.</translation>
     </message>
     <message>
         <source>The finish depth of {0} mm is not between 0 and the step down of {1} mm.</source>
@@ -1019,6 +1091,10 @@
         <translation>El punto de inicio no es un lugar.</translation>
     </message>
     <message>
+        <source>The stock reaches {0} mm above the start depth; the cutter goes down through that without ramping.</source>
+        <translation>El material sobresale {0} mm de la profundidad inicial; la fresa lo atraviesa sin rampa.</translation>
+    </message>
+    <message>
         <source>The strategy Automatic begins anywhere with room for a helix.</source>
         <translation>La estrategia Automático empieza en cualquier lugar con sitio para una hélice.</translation>
     </message>
@@ -1057,6 +1133,10 @@
     <message>
         <source>Turn the part over, or machine it from another side.</source>
         <translation>Dé la vuelta a la pieza o mecanícela desde otro lado.</translation>
+    </message>
+    <message>
+        <source>Unset UseRestMachining to cut it all the same.</source>
+        <translation>Desactive UseRestMachining para cortarla de todos modos.</translation>
     </message>
     <message>
         <source>Use a flat end mill, or finish the floor with one.</source>
@@ -1244,6 +1324,10 @@
     <message>
         <source>Extend open sides</source>
         <translation>Extender los lados abiertos</translation>
+    </message>
+    <message>
+        <source>Use rest machining</source>
+        <translation>Mecanizado de restos</translation>
     </message>
     <message>
         <source>Use start point</source>

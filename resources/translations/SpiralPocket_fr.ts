@@ -77,6 +77,10 @@
         <translation>Vider le fond au-delà de son bord là où aucune paroi ne s'élève, et y commencer dans l'air si le brut finit tout près ; sinon la fraise reste à l'intérieur du fond</translation>
     </message>
     <message>
+        <source>Cut only what earlier operations of the job have left standing in the pocket</source>
+        <translation>N'usiner que ce que les opérations précédentes de la tâche ont laissé dans la poche</translation>
+    </message>
+    <message>
         <source>Make True, if specifying a Start Point</source>
         <translation>Mettre à Vrai pour imposer un point de départ</translation>
     </message>
@@ -89,8 +93,8 @@
         <translation>Les courbes exactes du parcours, B-splines sur les fonds ; exportables en STEP</translation>
     </message>
     <message>
-        <source>Largest engagement angle that was measured</source>
-        <translation>Plus grand angle d'engagement mesuré</translation>
+        <source>Largest engagement angle that was measured, at the floor after the entry</source>
+        <translation>Plus grand angle d'engagement mesuré, au fond après l'entrée</translation>
     </message>
     <message>
         <source>Area within the cutter's reach left standing, in mm^2</source>
@@ -184,8 +188,8 @@
         <translation>Engagement moyen</translation>
     </message>
     <message>
-        <source>Left uncut</source>
-        <translation>Non usiné</translation>
+        <source>Left uncut in reach</source>
+        <translation>Non usiné à portée</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -384,16 +388,24 @@
         <translation>Estimation de FreeCAD</translation>
     </message>
     <message>
+        <source>Entry at full width, deep</source>
+        <translation>Entrée en pleine largeur, profondeur</translation>
+    </message>
+    <message>
         <source>Gouge</source>
         <translation>Surcoupe</translation>
+    </message>
+    <message>
+        <source>{:.0f}°, limit {:.0f}°</source>
+        <translation>{:.0f}°, limite {:.0f}°</translation>
     </message>
     <message>
         <source>Time on {}</source>
         <translation>Temps sur {}</translation>
     </message>
     <message>
-        <source>{:.0f}°, limit {:.0f}°</source>
-        <translation>{:.0f}°, limite {:.0f}°</translation>
+        <source>{} remarks below</source>
+        <translation>{} remarques ci-dessous</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -406,6 +418,10 @@
     <message>
         <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
         <translation>L'angle d'engagement en coupe droite à ce pas : 90° à la moitié du diamètre, 180° en pleine rainure</translation>
+    </message>
+    <message>
+        <source>OK once more keeps what was made without that.</source>
+        <translation>Encore une fois OK garde ce qui a été fait sans cela.</translation>
     </message>
     <message>
         <source>Remove Spiral Pocket</source>
@@ -583,6 +599,10 @@
         <translation>Un pas latéral de {0} mm ne vide jamais la poche.</translation>
     </message>
     <message>
+        <source>A tolerance of {0} mm is too coarse for this cutter.</source>
+        <translation>Une tolérance de {0} mm est trop grossière pour cette fraise.</translation>
+    </message>
+    <message>
         <source>A {0} move runs through standing stock at {at}, {1} mm in all.</source>
         <translation>Un trajet ({0}) traverse de la matière en {at}, {1} mm en tout.</translation>
     </message>
@@ -603,8 +623,8 @@
         <translation>En {at} la fraise entame la paroi de {0} mm.</translation>
     </message>
     <message>
-        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}.</source>
-        <translation>En {at} l'engagement atteint {0} degrés, le pas de {1} % en permet {2}.</translation>
+        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}; {3} % of the cut clearly pass that.</source>
+        <translation>À {at} l'engagement atteint {0} degrés, le recouvrement de {1} % en permet {2} ; {3} % de la coupe le dépassent nettement.</translation>
     </message>
     <message>
         <source>Central Spiral cannot go round islands; there is one at {at}.</source>
@@ -675,6 +695,14 @@
         <translation>Faites-la glisser dans les opérations de la tâche.</translation>
     </message>
     <message>
+        <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
+        <translation>Les opérations précédentes ont vidé cette poche aussi loin que porte cette fraise.</translation>
+    </message>
+    <message>
+        <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
+        <translation>Les opérations précédentes ont vidé {0} % de cette poche ; le reste est usiné.</translation>
+    </message>
+    <message>
         <source>Give it the number of an end mill, 1 or higher.</source>
         <translation>Donnez-lui le numéro d'une fraise, 1 ou plus.</translation>
     </message>
@@ -707,6 +735,10 @@
         <translation>Le Morphing linéaire ne trouve pas de centre de départ.</translation>
     </message>
     <message>
+        <source>Look what lies under the stock, or raise FinalDepth.</source>
+        <translation>Regardez ce qu'il y a sous le brut, ou relevez FinalDepth.</translation>
+    </message>
+    <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>Diminuez FinishDepth ou augmentez StepDown.</translation>
     </message>
@@ -719,10 +751,6 @@
         <translation>Diminuez ZStockToLeave.</translation>
     </message>
     <message>
-        <source>Lower the feed or the step-over if the cut is too heavy for the cutter.</source>
-        <translation>Réduisez l'avance ou le pas si la coupe est trop lourde pour la fraise.</translation>
-    </message>
-    <message>
         <source>Machine that part from another side, or with an undercutting tool.</source>
         <translation>Usinez cette partie d'un autre côté, ou avec un outil de contre-dépouille.</translation>
     </message>
@@ -733,6 +761,14 @@
     <message>
         <source>More than {0} laps are left beside the spirals.</source>
         <translation>Il reste plus de {0} tours à côté des spirales.</translation>
+    </message>
+    <message>
+        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
+        <translation>Placez cette opération après celle de la plus grande fraise, ou désactivez UseRestMachining.</translation>
+    </message>
+    <message>
+        <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>
+        <translation>Aucune opération précédente n'a vidé quoi que ce soit de cette poche jusqu'au fond ; tout est usiné.</translation>
     </message>
     <message>
         <source>No face is selected.</source>
@@ -751,8 +787,24 @@
         <translation>Mettez une fraise deux tailles dans le contrôleur d'outil.</translation>
     </message>
     <message>
+        <source>Raise FinalDepth or ZStockToLeave if that is not meant.</source>
+        <translation>Relevez FinalDepth ou ZStockToLeave si ce n'est pas voulu.</translation>
+    </message>
+    <message>
+        <source>Raise StartDepth to the top of the stock, or clear it with an operation before.</source>
+        <translation>Relevez StartDepth au sommet du brut, ou videz-le par une opération avant.</translation>
+    </message>
+    <message>
+        <source>Raise StockToLeave if that is not meant.</source>
+        <translation>Relevez StockToLeave si ce n'est pas voulu.</translation>
+    </message>
+    <message>
         <source>Recompute the operation to try again.</source>
         <translation>Recalculez l'opération pour réessayer.</translation>
+    </message>
+    <message>
+        <source>Recompute this operation when they change.</source>
+        <translation>Recalculez cette opération quand elles changent.</translation>
     </message>
     <message>
         <source>Remove it from the base geometry and select the floor of the pocket again.</source>
@@ -835,6 +887,10 @@
         <translation>Mettez StepOver à 100 % ou moins.</translation>
     </message>
     <message>
+        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
+        <translation>Réglez Tolerance à {0} mm au plus ; 0.01 mm est habituel.</translation>
+    </message>
+    <message>
         <source>Set it in the tool of the tool controller.</source>
         <translation>Réglez-le dans l'outil du contrôleur d'outil.</translation>
     </message>
@@ -895,6 +951,18 @@
         <translation>La fraise descend {0} mm sous le fond.</translation>
     </message>
     <message>
+        <source>The cutter goes {0} mm below the selected floor, {1} mm of that below the stock.</source>
+        <translation>La fraise descend {0} mm sous le fond choisi, dont {1} mm sous le brut.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the selected floor.</source>
+        <translation>La fraise descend {0} mm sous le fond choisi.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm into the walls.</source>
+        <translation>La fraise entre de {0} mm dans les parois.</translation>
+    </message>
+    <message>
         <source>The cutter has no room to go down anywhere in the pocket.</source>
         <translation>La fraise n'a nulle part la place de plonger dans la poche.</translation>
     </message>
@@ -905,6 +973,10 @@
     <message>
         <source>The expression of {0} cannot be evaluated: {1}.</source>
         <translation>L'expression de {0} ne peut être évaluée : {1}.</translation>
+    </message>
+    <message>
+        <source>The feed is lowered there; take a lower one if that is too heavy for the cutter.</source>
+        <translation>L'avance y est réduite ; prenez-en une plus faible si c'est trop lourd pour la fraise.</translation>
     </message>
     <message>
         <source>The finish depth of {0} mm is not between 0 and the step down of {1} mm.</source>
@@ -1019,6 +1091,10 @@
         <translation>Le point de départ n'est pas un lieu.</translation>
     </message>
     <message>
+        <source>The stock reaches {0} mm above the start depth; the cutter goes down through that without ramping.</source>
+        <translation>Le brut dépasse de {0} mm la profondeur de départ ; la fraise le traverse sans rampe.</translation>
+    </message>
+    <message>
         <source>The strategy Automatic begins anywhere with room for a helix.</source>
         <translation>La stratégie Automatique commence partout où il y a la place pour une hélice.</translation>
     </message>
@@ -1057,6 +1133,10 @@
     <message>
         <source>Turn the part over, or machine it from another side.</source>
         <translation>Retournez la pièce, ou usinez-la d'un autre côté.</translation>
+    </message>
+    <message>
+        <source>Unset UseRestMachining to cut it all the same.</source>
+        <translation>Désactivez UseRestMachining pour l'usiner quand même.</translation>
     </message>
     <message>
         <source>Use a flat end mill, or finish the floor with one.</source>
@@ -1244,6 +1324,10 @@
     <message>
         <source>Extend open sides</source>
         <translation>Prolonger les côtés ouverts</translation>
+    </message>
+    <message>
+        <source>Use rest machining</source>
+        <translation>Usinage de reprise</translation>
     </message>
     <message>
         <source>Use start point</source>

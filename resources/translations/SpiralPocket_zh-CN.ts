@@ -77,6 +77,10 @@
         <translation>在没有侧壁的地方越过底面边缘进行清除，若毛坯就在附近结束则从空气中开始；否则刀具保持在底面之内</translation>
     </message>
     <message>
+        <source>Cut only what earlier operations of the job have left standing in the pocket</source>
+        <translation>仅加工任务中先前操作在型腔内留下的材料</translation>
+    </message>
+    <message>
         <source>Make True, if specifying a Start Point</source>
         <translation>指定起点时设为 True</translation>
     </message>
@@ -89,8 +93,8 @@
         <translation>刀路背后的精确曲线，位于底面的 B 样条；可导出为 STEP</translation>
     </message>
     <message>
-        <source>Largest engagement angle that was measured</source>
-        <translation>测得的最大啮合角</translation>
+        <source>Largest engagement angle that was measured, at the floor after the entry</source>
+        <translation>测得的最大啮合角，在进刀后的底面处</translation>
     </message>
     <message>
         <source>Area within the cutter's reach left standing, in mm^2</source>
@@ -184,8 +188,8 @@
         <translation>平均啮合角</translation>
     </message>
     <message>
-        <source>Left uncut</source>
-        <translation>未切除</translation>
+        <source>Left uncut in reach</source>
+        <translation>可及范围内未切削</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -384,16 +388,24 @@
         <translation>FreeCAD 估算</translation>
     </message>
     <message>
+        <source>Entry at full width, deep</source>
+        <translation>全宽进刀深度</translation>
+    </message>
+    <message>
         <source>Gouge</source>
         <translation>过切</translation>
+    </message>
+    <message>
+        <source>{:.0f}°, limit {:.0f}°</source>
+        <translation>{:.0f}°，上限 {:.0f}°</translation>
     </message>
     <message>
         <source>Time on {}</source>
         <translation>在 {} 上的用时</translation>
     </message>
     <message>
-        <source>{:.0f}°, limit {:.0f}°</source>
-        <translation>{:.0f}°，上限 {:.0f}°</translation>
+        <source>{} remarks below</source>
+        <translation>下方有 {} 条提示</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -406,6 +418,10 @@
     <message>
         <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
         <translation>此步距下直线切削的啮合角：半个刀径时为 90°，全槽时为 180°</translation>
+    </message>
+    <message>
+        <source>OK once more keeps what was made without that.</source>
+        <translation>再按一次“确定”即保留其余已完成的部分。</translation>
     </message>
     <message>
         <source>Remove Spiral Pocket</source>
@@ -583,6 +599,10 @@
         <translation>步距 {0} mm 永远无法清完型腔。</translation>
     </message>
     <message>
+        <source>A tolerance of {0} mm is too coarse for this cutter.</source>
+        <translation>{0} mm 的公差对该刀具来说太粗。</translation>
+    </message>
+    <message>
         <source>A {0} move runs through standing stock at {at}, {1} mm in all.</source>
         <translation>在 {at} 处{0}移动穿过残余材料，共 {1} mm。</translation>
     </message>
@@ -603,8 +623,8 @@
         <translation>在 {at} 处刀具切入侧壁 {0} mm。</translation>
     </message>
     <message>
-        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}.</source>
-        <translation>在 {at} 处啮合角达 {0} 度，步距 {1} % 允许 {2} 度。</translation>
+        <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}; {3} % of the cut clearly pass that.</source>
+        <translation>在 {at} 处啮合角达到 {0} 度，{1} % 的步距允许 {2} 度；{3} % 的切削明显超过该值。</translation>
     </message>
     <message>
         <source>Central Spiral cannot go round islands; there is one at {at}.</source>
@@ -675,6 +695,14 @@
         <translation>请将其拖入作业的工序中。</translation>
     </message>
     <message>
+        <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
+        <translation>先前的操作已将该型腔清除到此刀具可及之处。</translation>
+    </message>
+    <message>
+        <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
+        <translation>先前的操作已清除该型腔的 {0} %；其余部分将被加工。</translation>
+    </message>
+    <message>
         <source>Give it the number of an end mill, 1 or higher.</source>
         <translation>请给它一个立铣刀的编号，1 或以上。</translation>
     </message>
@@ -707,6 +735,10 @@
         <translation>“线性渐变”找不到起始中心。</translation>
     </message>
     <message>
+        <source>Look what lies under the stock, or raise FinalDepth.</source>
+        <translation>请检查毛坯下方有什么，或提高 FinalDepth。</translation>
+    </message>
+    <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>减小 FinishDepth 或增大 StepDown。</translation>
     </message>
@@ -719,10 +751,6 @@
         <translation>减小 ZStockToLeave。</translation>
     </message>
     <message>
-        <source>Lower the feed or the step-over if the cut is too heavy for the cutter.</source>
-        <translation>若切削对刀具过重，请降低进给或步距。</translation>
-    </message>
-    <message>
         <source>Machine that part from another side, or with an undercutting tool.</source>
         <translation>请从另一侧加工该部分，或用倒扣刀具。</translation>
     </message>
@@ -733,6 +761,14 @@
     <message>
         <source>More than {0} laps are left beside the spirals.</source>
         <translation>螺线旁仍剩超过 {0} 圈。</translation>
+    </message>
+    <message>
+        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
+        <translation>请将此操作移到使用大刀具的操作之后，或关闭 UseRestMachining。</translation>
+    </message>
+    <message>
+        <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>
+        <translation>没有先前的操作将该型腔清除到底面；将全部加工。</translation>
     </message>
     <message>
         <source>No face is selected.</source>
@@ -751,8 +787,24 @@
         <translation>请在刀具控制器中放入立铣刀。</translation>
     </message>
     <message>
+        <source>Raise FinalDepth or ZStockToLeave if that is not meant.</source>
+        <translation>若非本意，请提高 FinalDepth 或 ZStockToLeave。</translation>
+    </message>
+    <message>
+        <source>Raise StartDepth to the top of the stock, or clear it with an operation before.</source>
+        <translation>请将 StartDepth 提高到毛坯顶面，或先用其他操作清除。</translation>
+    </message>
+    <message>
+        <source>Raise StockToLeave if that is not meant.</source>
+        <translation>若非本意，请提高 StockToLeave。</translation>
+    </message>
+    <message>
         <source>Recompute the operation to try again.</source>
         <translation>重新计算工序以重试。</translation>
+    </message>
+    <message>
+        <source>Recompute this operation when they change.</source>
+        <translation>这些操作改变后请重新计算此操作。</translation>
     </message>
     <message>
         <source>Remove it from the base geometry and select the floor of the pocket again.</source>
@@ -835,6 +887,10 @@
         <translation>将 StepOver 设为 100 % 或以下。</translation>
     </message>
     <message>
+        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
+        <translation>请将 Tolerance 设为至多 {0} mm；通常为 0.01 mm。</translation>
+    </message>
+    <message>
         <source>Set it in the tool of the tool controller.</source>
         <translation>请在刀具控制器的刀具中设置。</translation>
     </message>
@@ -895,6 +951,18 @@
         <translation>刀具低于底面 {0} mm。</translation>
     </message>
     <message>
+        <source>The cutter goes {0} mm below the selected floor, {1} mm of that below the stock.</source>
+        <translation>刀具低于所选底面 {0} mm，其中 {1} mm 在毛坯以下。</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the selected floor.</source>
+        <translation>刀具低于所选底面 {0} mm。</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm into the walls.</source>
+        <translation>刀具切入侧壁 {0} mm。</translation>
+    </message>
+    <message>
         <source>The cutter has no room to go down anywhere in the pocket.</source>
         <translation>刀具在型腔内无处下刀。</translation>
     </message>
@@ -905,6 +973,10 @@
     <message>
         <source>The expression of {0} cannot be evaluated: {1}.</source>
         <translation>{0} 的表达式无法求值：{1}。</translation>
+    </message>
+    <message>
+        <source>The feed is lowered there; take a lower one if that is too heavy for the cutter.</source>
+        <translation>该处已降低进给；若对刀具仍过重，请采用更低的进给。</translation>
     </message>
     <message>
         <source>The finish depth of {0} mm is not between 0 and the step down of {1} mm.</source>
@@ -1019,6 +1091,10 @@
         <translation>起点不是有效位置。</translation>
     </message>
     <message>
+        <source>The stock reaches {0} mm above the start depth; the cutter goes down through that without ramping.</source>
+        <translation>毛坯高出起始深度 {0} mm；刀具将不走斜坡直接穿过。</translation>
+    </message>
+    <message>
         <source>The strategy Automatic begins anywhere with room for a helix.</source>
         <translation>“自动”策略可在任何能容纳螺旋下刀的位置开始。</translation>
     </message>
@@ -1057,6 +1133,10 @@
     <message>
         <source>Turn the part over, or machine it from another side.</source>
         <translation>请翻转零件，或从另一侧加工。</translation>
+    </message>
+    <message>
+        <source>Unset UseRestMachining to cut it all the same.</source>
+        <translation>若仍要加工，请关闭 UseRestMachining。</translation>
     </message>
     <message>
         <source>Use a flat end mill, or finish the floor with one.</source>
@@ -1244,6 +1324,10 @@
     <message>
         <source>Extend open sides</source>
         <translation>延伸开放侧</translation>
+    </message>
+    <message>
+        <source>Use rest machining</source>
+        <translation>使用残料加工</translation>
     </message>
     <message>
         <source>Use start point</source>

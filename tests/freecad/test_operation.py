@@ -201,7 +201,7 @@ def test_levels_follow_step_down_and_finish_depth(op):
     op.setExpression("StepDown", None)
     op.StepDown, op.FinishDepth = 3, 0.5
     op.Document.recompute()
-    cuts = {round(c.z, 3) for c in motion(op) if c.Name == "G1"}
+    cuts = {round(c.z, 3) for c in motion(op) if c.Name == "G1" and c.z < 0}
     assert cuts == {-3.0, -5.5, -6.0}
 
 

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a machinist should know of a pocket before it is cut, told by what is asked for alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..engine.model import Notice, PocketRequest
+from .compat import operation_property
+from .selection import SAME_HEIGHT
+
+#: A smaller share of a pocket that was cleared before is none.
+LEAST_SHARE = 0.001
+
+
+def depths(wanted: PocketRequest, floor: float, job: Any, obj: Any) -> list[Notice]:
+    """Tell of cuts below the selected floor, into walls, and of stock above the start depth.
+
+    Parameters
+    ----------
+    wanted : PocketRequest
+    floor : float
+        Z of the selected face [mm].
+    job, obj : object
+        The job and the operation.
+    """
+    stock, found = job.Stock.Shape.BoundBox, []
+    below, through = floor - wanted.floor, stock.ZMin - wanted.floor
+    if through > SAME_HEIGHT:
+        found.append(
+            Notice(
+                f"The cutter goes {below:.3g} mm below the selected floor, {through:.3g} mm of "
+                "that below the stock.",
+                "Look what lies under the stock, or raise FinalDepth.",
+            )
+        )
+    elif below > SAME_HEIGHT:
+        found.append(
+            Notice(
+                f"The cutter goes {below:.3g} mm below the selected floor.",
+                "Raise FinalDepth or ZStockToLeave if that is not meant.",
+            )
+        )
+    into = -wanted.cutting.stock_to_leave
+    if into > 0:
+        found.append(
+            Notice(
+                f"The cutter goes {into:.3g} mm into the walls.",
+                "Raise StockToLeave if that is not meant.",
+            )
+        )
+    above = stock.ZMax - wanted.heights.start_depth
+    if above > SAME_HEIGHT and not _is_cut_before(wanted.heights.start_depth, job, obj):
+        found.append(
+            Notice(
+                f"The stock reaches {above:.3g} mm above the start depth; the cutter goes down "
+                "through that without ramping.",
+                "Raise StartDepth to the top of the stock, or clear it with an operation before.",
+            )
+        )
+    return found
+
+
+def _is_cut_before(z: float, job: Any, obj: Any) -> bool:
+    """Return whether an operation before this one goes down to a height."""
+    for operation in job.Operations.Group:
+        if obj.Name in (operation.Name, *(o.Name for o in operation.OutListRecursive)):
+            return False
+        path = getattr(operation, "Path", None)
+        if path is None or not path.Size or not operation_property(operation, "Active"):
+            continue
+        if path.BoundBox.ZMin < z + SAME_HEIGHT:
+            return True
+    return False
+
+
+def open_sides(wanted: PocketRequest) -> Notice:
+    """Tell what becomes of a pocket's open sides."""
+    if wanted.beyond is None or wanted.beyond.is_empty:  # something may stand there
+        return Notice(
+            "The pocket is open at a side; the cutter stays within the floor there.",
+            "Set ExtendOpenSides, or clear that side with another operation.",
+        )
+    return Notice(
+        "The pocket is open at a side; the cutter runs out of it there.",
+        "Keep clamps away from that side, or unset ExtendOpenSides.",
+    )
+
+
+def overhang(area: float) -> Notice:
+    """Tell how much of a floor lies under leaning walls [mm2]."""
+    return Notice(
+        f"Walls lean over the floor; {area:.0f} mm2 of it below them stay uncut.",
+        "Machine that part from another side, or with an undercutting tool.",
+    )
+
+
+def rest(share: float) -> Notice:
+    """Tell which share of a pocket was cleared before, in [0, 1]."""
+    if share < LEAST_SHARE:
+        return Notice(
+            "No earlier operation has cleared any of this pocket down to its floor; all is cut.",
+            "Move this operation behind the one with the larger cutter, or unset UseRestMachining.",
+        )
+    return Notice(
+        f"Earlier operations have cleared {100 * share:.0f} % of this pocket; the rest is cut.",
+        "Recompute this operation when they change.",
+    )

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is told of depths and walls; rapids stay above the safe height where nothing was cut."""
+
+import pytest
+from sample_parts import DEPTH, QUICK, add_job, add_part, area, block, faces_at, motion, rectangle
+
+from freecad_spiralpocket import api
+from freecad_spiralpocket.op.foresight import requests_of
+
+
+@pytest.fixture
+def job(doc):
+    return add_job(doc, add_part(doc, block(area(rectangle(24, 18, 4)))))
+
+
+def cut(job, **options):
+    part = job.Document.getObject("Part")
+    return api.add_spiral_pocket(job, [(part, faces_at(part.Shape, -DEPTH))], **(QUICK | options))
+
+
+def told(op, words):
+    return any(words in notice for notice in op.Notices)
+
+
+def test_of_ordinary_depths_nothing_is_told(job):
+    op = cut(job)
+    assert not any(told(op, words) for words in ("below", "above", "walls"))
+    assert requests_of(op)[1] == []
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"FinalDepth": -DEPTH - 1}, "1 mm below the selected floor."),
+        ({"ZStockToLeave": -0.5}, "0.5 mm below the selected floor."),
+        ({"FinalDepth": -30.0}, "below the stock"),
+        ({"StockToLeave": -0.25}, "0.25 mm into the walls"),
+        ({"StartDepth": -2.0}, "2 mm above the start depth"),
+    ],
+)
+def test_what_is_probably_not_meant_is_told_before_and_after(job, options, words):
+    op = cut(job, **options)
+    assert told(op, words)
+    _, notices = requests_of(op)
+    assert any(words in str(notice) for notice in notices)
+
+
+def test_stock_that_an_earlier_operation_takes_is_not_told(job):
+    cut(job)
+    assert not told(cut(job, StartDepth=-2.0), "above the start depth")
+
+
+@pytest.mark.parametrize("heights", [{}, {"SafeHeight": 10.0, "ClearanceHeight": 20.0}])
+def test_rapids_stay_above_the_safe_height_until_something_was_cut(job, heights):
+    op = cut(job, StepDown=2.0, **heights)
+    low = False
+    for command in motion(op):
+        z = command.Parameters.get("Z")
+        if command.Name == "G0" and z is not None and not low:
+            assert z >= op.SafeHeight.Value - 1e-6
+        low = low or (command.Name != "G0" and z is not None and z < -1e-6)
+    assert low
