@@ -28,6 +28,8 @@ BULGE = 0.32
 CLOSINGS = (1.0, 0.5, 0.2)
 #: A fill's cusp turns by more than this [rad], and is rounded with this radius, over R.
 CUSP_TURN, CUSP = np.radians(25.0), 0.35
+#: A filled arm shortens the edge by more than this, over R.
+ARM = 0.5
 #: Distance of the points of a fill by which its new edges are counted [mm].
 EDGE = 0.5
 
@@ -107,8 +109,14 @@ def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRul
     holes = [sum(len(p.interiors) for p in polygons_of(shape)) for shape in (closed, moved)]
     if holes[0] < holes[1]:
         return False
-    points = shapely.get_coordinates(closed)
-    return bool(are_within(visited, points, REACHED * rules.cutter_radius).all())
+    reach = REACHED * rules.cutter_radius
+    if not are_within(visited, shapely.get_coordinates(closed), reach).all():
+        return False
+    # an arm that was filled has no edge left that would tell
+    if moved.length - closed.length < ARM * rules.cutter_radius:
+        return True
+    fills = shapely.difference(closed, moved)
+    return bool(shapely.difference(fills, buffer(visited, reach)).area < SLIVER)
 
 
 def _new_edges(fills: NDArray[np.object_], moved: Region) -> NDArray[np.intp]:

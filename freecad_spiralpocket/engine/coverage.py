@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the cutter could reach and left standing.
 
-Reach: the pocket shrunk by radius and stock to leave (where the center may be), and
-grown again by the radius. Swept: the union of what every piece of motion at the floor
-or deeper sweeps. Most of it is settled by a rough, certainly too small picture of the
-swept ground; only what that leaves, a thin strip along the walls and what truly
-stands, is compared with exact shapes of the pieces nearby.
+Reach: the pocket shrunk by radius and stock to leave (where the center may be, without
+channels as wide as the cutter), and grown again by the radius. Swept: the union of what
+every piece of motion at the floor or deeper sweeps. Most of it is settled by a rough,
+certainly too small picture of the swept ground; only what that leaves, a thin strip along
+the walls and what truly stands, is compared with exact shapes of the pieces nearby.
 
 A path that keeps to its tolerance may leave a skin of that thickness on the wall;
 this is not counted. What is cut at the lowest floor is cut above it too, so the
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 
 from .model import Floats
+from .region import polygons_of, without_hairs
 from .swept import SAME_HEIGHT, Pieces
 
 #: Chords in a quarter circle of what can be reached and of what is swept: off by 8e-5 and by
@@ -37,8 +38,9 @@ ROUGH_MOTION, ROUGH_RADIUS = 0.03, 0.95
 
 def reachable_floor(pocket: Polygon, radius: float, stock: float) -> shapely.Geometry:
     """Return the part of the pocket that the cutter can clear, `stock` [mm] off the wall."""
-    centers = pocket.buffer(-(radius + stock), quad_segs=REACH_QUADRANT)
-    return centers.buffer(radius, quad_segs=REACH_QUADRANT)
+    centers = polygons_of(pocket.buffer(-(radius + stock), quad_segs=REACH_QUADRANT))
+    rooms = [room for part in centers for room in without_hairs(part, radius)]
+    return MultiPolygon(rooms).buffer(radius, quad_segs=REACH_QUADRANT)
 
 
 def uncut_floor(

@@ -259,7 +259,7 @@ class _Walker:
                 return [(first.ring, slot_end(first.core, self.asked, self.request))]
             return [(first.ring, float(first.ring.line.project(shapely.Point(self.asked))))]
         if first.core is not None:
-            place = straightest(self.rings[-1].line, BLEND * radius)
+            place = straightest(self.rings[-1].line, BLEND * radius, radius)
             for matched in reversed(self.matches):
                 place = float(matched.inwards(np.array(place)))
             return [(first.ring, place)]

@@ -65,6 +65,8 @@ TOUCHES = 0.03
 OVERLAP, ONTO, ONWARD = 1.3, 0.3, 0.98
 #: A link that may not leave the region may still do so by this much [mm].
 SLACK = 0.003
+#: A first lap outwards may be farther from the place where the entry ends, by this factor.
+LEFT_BEHIND = 1.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -242,9 +244,12 @@ def _taken_by(laps: Sequence[Stroke], fronts: Sequence[Polygon], radius: float) 
 def _begins_on(
     ring: LineString, lap: LineString, exterior: bool, radius: float, widest: float
 ) -> bool:
-    """Return whether a lap of the first level may be begun where the entry ends."""
+    """Return whether a lap of the first level may be begun where the entry ends.
+
+    Not so where the entry ends in a notch of an island, which the lap passes by.
+    """
     if exterior:
-        return True
+        widest *= LEFT_BEHIND
     return bool(gaps(ring, lap, np.zeros(1), zone_length(ring, lap, radius))[0] <= widest)
 
 

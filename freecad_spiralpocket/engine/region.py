@@ -21,6 +21,8 @@ from .model import Notice
 #: Largest distance between a buffer's polygon and its true arcs [mm]; around cutter-center regions
 #: of small cutters over R.
 BUFFER_SAG, FINE_SAG = 0.001, 1 / 3000
+#: Channels wider than the cutter by less than twice this are too narrow for it, over R.
+HAIR = 0.003
 #: A left-over piece that takes a disc of this share of the cutter's radius is told about; the
 #: piece in a square corner takes 0.17.
 TOLD_SHARE = 0.3
@@ -87,7 +89,30 @@ def center_regions(pocket: Polygon, cutter_radius: float, stock: float) -> list[
             else "Lower StockToLeave.",
             place,
         )
-    return regions
+    return [part for region in regions for part in without_hairs(region, cutter_radius)]
+
+
+def without_hairs(region: Polygon, radius: float) -> list[Polygon]:
+    """Return a cutter-center region without channels as wide as the cutter and no more.
+
+    There is no way to enter these, and what hangs together by one alone is cut room by room.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+    radius : float
+        R [mm].
+    """
+    half = HAIR * radius
+    cores = polygons_of(grow(region, -half))
+    if not cores or (len(cores) == 1 and len(cores[0].interiors) == len(region.interiors)):
+        return [region]
+    left = shapely.difference(region, grow(MultiPolygon(cores), 1.001 * half))
+    # corners are no longer than they are wide
+    hairs = [p for p in polygons_of(left) if shapely.minimum_bounding_radius(p) > radius / 2]
+    if not hairs:
+        return [region]
+    return polygons_of(shapely.difference(region, grow(MultiPolygon(hairs), 0.1 * half)))
 
 
 def unreachable_notices(

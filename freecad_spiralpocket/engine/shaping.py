@@ -73,6 +73,8 @@ def thick_parts(shape: Region) -> NDArray[np.object_]:
 
     Rounding of numbers leaves hairlines along walls, which would join all corners to a frame.
     """
+    if not isinstance(shape, Polygon | MultiPolygon):  # lines among it
+        shape = MultiPolygon(polygons_of(shape))
     # points closer together than the hairline cost a hundred times as long
     core = buffer(shapely.simplify(shape, HAIRLINE / 10), -HAIRLINE)
     parts = shapely.get_parts(shapely.intersection(shape, buffer(core, 8 * HAIRLINE)))

@@ -288,7 +288,7 @@ def leaves_no_post(
 
 def _slot_start(name: str, visited: Polygon, omega: Polygon, request: PocketRequest) -> Start:
     ring = LineString(shapely.get_coordinates(shapely.simplify(visited.exterior, 0.002)))
-    leave = straightest(ring, BLEND * request.cutter_radius)
+    leave = straightest(ring, BLEND * request.cutter_radius, request.cutter_radius)
     points = between(ring, leave, ring.length)[:-1]
     closed = LineString(np.vstack([points, points[:1]]))
     return Start(name, visited, omega, Slot(points, slot_bite(request)), closed)
@@ -318,10 +318,20 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
 
 
-def straightest(ring: LineString, window: float) -> float:
-    """Return where along a ring the next `window` [mm] bends least."""
+def straightest(ring: LineString, window: float, radius: float) -> float:
+    """Return where along a ring the next `window` [mm] bends least, not in a notch.
+
+    A notch is as narrow as a cutter of `radius` [mm] in a cutter-center region.
+    """
     at = np.linspace(0, ring.length, 200, endpoint=False)
-    return float(at[int(np.argmin(bends(ring, at, window)))])
+    bent = bends(ring, at, window)
+    best = int(np.argmin(bent))
+    around = buffer(buffer(Polygon(ring), 2 * radius), -2 * radius).boundary
+    places = shapely.points(points_at(ring, at))
+    if around.distance(places[best]) > radius:
+        bent = np.where(shapely.dwithin(places, around, radius), bent, np.inf)
+        best = int(np.argmin(bent))
+    return float(at[best])
 
 
 def bends(ring: LineString, at: Floats, window: float) -> Floats:

@@ -8,8 +8,10 @@ import math
 import numpy as np
 import pytest
 import shapely
+from matplotlib.font_manager import FontProperties
+from matplotlib.textpath import TextPath
 from shapely import LineString, Point, Polygon, box
-from shapely.affinity import rotate
+from shapely.affinity import rotate, scale
 from shapes import lifts
 from shapes import request as make_request
 
@@ -140,3 +142,44 @@ def test_slot_hardly_wider_than_the_cutter_is_cut(width):
 def test_the_time_of_a_way_of_two_points_is_told():
     motion = Motion(acceleration=500.0, link_feed=80.0, cut_feed=50.0, least_radius=0.4)
     assert 0.1 < link_times(np.array([[0.0, 0.0], [10.0, 0.0]]), motion) < 0.21
+
+
+def letter_q(turn, length, width):
+    """Return a letter Q, whose tail cuts a notch into the island in its middle."""
+    disc = Point(0, 0).buffer(1, quad_segs=64)
+    ring = scale(disc, 38, 40).difference(scale(disc, 22, 34))
+    tail = rotate(box(-width / 2, -50, width / 2, length - 28), turn, origin=(0, -30))
+    return ring.union(tail.intersection(scale(disc, 38, 55)))
+
+
+@pytest.mark.parametrize(
+    ("turn", "length", "width"), [(20, 14, 7), (20, 18, 8), (45, 14, 7), (45, 24, 9)]
+)
+def test_a_notch_in_an_island(turn, length, width):
+    cutting = Cutting(1.25)
+    pocket = letter_q(turn, length, width)
+    report = plan(make_request(pocket, tool_diameter=5.0, cutting=cutting)).report
+    assert report.uncut_area < 0.02 and report.gouge < 0.01
+    assert report.rapid_hit == 0 and report.link_hit < 0.05
+    assert report.engagement_p99 < report.engagement_limit + math.radians(9)
+
+
+@pytest.mark.parametrize("more", [1e-6, 1e-4, 1e-3, 0.005])
+def test_a_neck_as_wide_as_the_cutter_and_no_more_is_told_and_the_rooms_are_cut(more):
+    neck = box(-11, -3 - more / 2, 11, 3 + more / 2)
+    rooms = box(-40, -15, -10, 15).union(box(10, -12, 34, 12))
+    report = plan(make_request(rooms.union(neck), strategy=Strategy.AUTOMATIC)).report
+    assert report.uncut_area < 0.01
+    assert sum("does not fit the 6 mm neck" in str(notice) for notice in report.notices) == 1
+    assert report.engagement_p99 < report.engagement_limit + math.radians(9)
+
+
+@pytest.mark.parametrize("diameter", [5.0, 5.2])
+def test_an_arm_of_a_plug_beyond_reach_is_not_taken_for_cleared(diameter):
+    # filled by the rounding of fronts, the Q's tail has no edge left that would tell
+    path = TextPath((0, 0), "Q", size=100, prop=FontProperties("DejaVu Serif", weight="bold"))
+    rings = sorted((Polygon(ring) for ring in path.to_polygons()), key=lambda ring: -ring.area)
+    pocket = rings[0].difference(shapely.union_all(rings[1:]))
+    cutting = Cutting(diameter / 4)
+    report = plan(make_request(pocket, tool_diameter=diameter, cutting=cutting)).report
+    assert report.uncut_area < 0.02 and report.link_hit < 0.05

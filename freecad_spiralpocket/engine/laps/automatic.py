@@ -34,6 +34,7 @@ from ..open_sides import needed, starts_of, strokes_in_stock, strokes_within
 from ..ordering import Step, order, runs_of
 from ..polyline import simplified
 from ..region import grow as grow_region
+from ..region import polygons_of
 from ..shaping import Region, buffer, largest, oriented, thick_parts
 from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
@@ -325,12 +326,12 @@ def _steps(
     if not strokes:
         return opening
     # where a bridge meets an island a cusp stands until that wall is cut
-    late = [
-        shapely.ops.substring(LineString(m), OVERRUN * radius, -OVERRUN * radius).buffer(
-            CUSP * radius, cap_style="flat", quad_segs=4
-        )
-        for m in mouths
+    inner = [
+        shapely.ops.substring(LineString(m), OVERRUN * radius, -OVERRUN * radius) for m in mouths
     ]
+    zones = [line.buffer(CUSP * radius, cap_style="flat", quad_segs=4) for line in inner]
+    # about a short mouth with a corner in it such a zone falls apart
+    late = [part for zone in zones for part in polygons_of(zone)]
     # about a plug's rounded corner the next lap is farther away than R
     reach = radius if start.within is None else 2 * radius
     pixel = request.tool_diameter / PIXELS
