@@ -101,6 +101,8 @@ def _draw_pocket(axes: Axes, plan: Plan) -> None:
     if plan.request.stock is not None:
         for part in polygons_of(shapely.difference(pocket, plan.request.stock)):
             axes.fill(*np.array(part.exterior.coords).T, facecolor="white", edgecolor=SLOPE, lw=1.2)
+            for standing in part.interiors:
+                axes.fill(*np.array(standing.coords).T, facecolor=WALL, edgecolor=SLOPE, lw=1.2)
     for island in pocket.interiors:
         axes.fill(*np.array(island.coords).T, facecolor=ISLAND, edgecolor=OUTLINE, lw=1.2, zorder=3)
     uncut = plan.report.uncut

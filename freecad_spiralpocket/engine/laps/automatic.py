@@ -288,7 +288,10 @@ def promising(
     inner = np.column_stack([x.ravel(), y.ravel()])
     inner = inner[shapely.contains_xy(region, inner)]
     places = np.vstack([inner, _sampled(region.boundary, 2.0)])
-    visited = [shapely.union_all([start.visited, *start.idle]) for start, _ in starts]
+    visited = [
+        shapely.union_all([start.visited, *start.idle]) if start.idle else start.visited
+        for start, _ in starts
+    ]
     far = np.array([_farthest(places, ground) for ground in visited])
     order = np.argsort(far, kind="stable")
     return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), near)]
