@@ -22,6 +22,7 @@ from .engine.errors import SetupError, SpiralPocketError
 from .engine.levels import floors
 from .engine.machine import MIDDLING
 from .engine.model import Floats, Plan, PocketRequest
+from .engine.region import polygons_of
 from .engine.timing import time_of
 from .engine.toolpath import Role, Toolpath, ToolpathBuilder
 from .engine.verify import prove
@@ -76,7 +77,9 @@ def _regions(request: PocketRequest) -> Sequence[Any]:
     clearing.opType = area.AdaptiveOperationType.ClearingInside
     stock = request.stock or shapely.box(*pocket.bounds).buffer(AROUND, join_style="mitre")
     rings = [pocket.exterior, *pocket.interiors]
-    found = clearing.Execute([_ring(stock.exterior)], [_ring(r) for r in rings], lambda _: False)
+    # it starts from full stock, whatever was cleared before
+    outlines = [_ring(part.exterior) for part in polygons_of(stock)]
+    found = clearing.Execute(outlines, [_ring(r) for r in rings], lambda _: False)
     if not found or not found[0].AdaptivePaths:
         raise SpiralPocketError("FreeCAD's Adaptive finds no path in this pocket.")
     return list(found)

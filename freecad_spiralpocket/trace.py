@@ -19,6 +19,7 @@ from shapely import Polygon
 from .engine.coverage import reachable_floor
 from .engine.machine import MIDDLING
 from .engine.model import Floats, Plan
+from .engine.region import polygons_of
 from .engine.stations import ends_of, moves_at, points_at, stations_of
 from .engine.timing import time_of
 from .engine.toolpath import Kind, Toolpath
@@ -27,6 +28,8 @@ from .engine.toolpath import Kind, Toolpath
 ARC_STEP = np.radians(8)
 #: Left-over pieces of less area than this share of the cutter's disc are not shown.
 TOLD_LEFT = 1e-3
+#: Walls are shown where the stock is no farther than this [mm].
+TOUCHES = 0.01
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -120,9 +123,10 @@ def areas_of(plan: Plan) -> Areas:
     islands = [Polygon(ring) for ring in request.pocket.interiors]
     walls = request.pocket.boundary
     if request.stock is not None:
-        walls = shapely.line_merge(shapely.intersection(walls, request.stock))
+        beside = shapely.buffer(request.stock, TOUCHES)
+        walls = shapely.line_merge(shapely.intersection(walls, beside))
     return Areas(
-        cleared=pieces_without_holes(shapely.get_parts(cleared)),
+        cleared=pieces_without_holes(polygons_of(cleared)),
         left=pieces_without_holes(left),
         islands=pieces_without_holes(islands),
         walls=tuple(shapely.get_coordinates(line) for line in shapely.get_parts(walls)),

@@ -15,7 +15,9 @@ from functools import partial
 from importlib import import_module
 
 import numpy as np
+import shapely
 from shapely import Polygon
+from shapely.geometry.polygon import orient
 
 from .checks import check_request
 from .dependencies import require_libraries
@@ -45,6 +47,9 @@ from .stations import ends_of, moves_at, stations_of
 from .timing import time_of
 from .toolpath import Toolpath
 from .verify import prove
+
+#: Points of an outline that matter less than this are left out where most do [mm].
+CROWD = 5e-4
 
 
 def _by(module: str, region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
@@ -86,6 +91,7 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     require_libraries()
     _tell(progress, 0.0, "Checking the pocket")
     check_request(request)
+    asked, request = request, _without_crowds(request)
     rooms, notices = _rooms_with_stock(request)
     cuts, uncut = _cuts(rooms, request, progress)
     prove_cuts = partial(
@@ -99,7 +105,19 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     seconds = time_of(toolpath, request.machine or MIDDLING).total
     told = (*notices, *uncut, *_start_notices(toolpath, request), *report.notices)
     report = replace(report, time=seconds, notices=told)
-    return Plan(request, toolpath, report, _curves(proved.cuts, request))
+    return Plan(asked, toolpath, report, _curves(proved.cuts, request))
+
+
+def _without_crowds(request: PocketRequest) -> PocketRequest:
+    """Return a request whose outline has no crowds of points that matter to nobody.
+
+    Each costs as much time as one of a wall, and outlines from meshes or scans have thousands.
+    """
+    slim = shapely.simplify(request.pocket, CROWD)
+    counts = shapely.get_num_coordinates([slim, request.pocket])
+    if request.sections or 2 * counts[0] > counts[1]:
+        return request
+    return replace(request, pocket=orient(slim))
 
 
 def _rooms_with_stock(request: PocketRequest) -> tuple[list[Room], list[Notice]]:

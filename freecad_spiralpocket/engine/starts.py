@@ -127,7 +127,9 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
     axis = medial_axis(region)
     asked = request.start_point
     if asked is not None and region.distance(Point(asked)) < request.tool_diameter:
-        return [_point(region, _roomy(region, axis, request), request)]
+        point = _point(region, _roomy(region, axis, request), request)
+        outlined = _outline(region, axis, request)
+        return [point] if outlined is None else [point, outlined]
     starts: list[Start] = []
     failure = None
     try:
@@ -295,20 +297,27 @@ def _slot_start(name: str, visited: Polygon, omega: Polygon, request: PocketRequ
 
 
 def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start | None:
-    """Return the slot once round the wall, None where it cannot be."""
+    """Return the slot once round the wall, None where it cannot be.
+
+    Nor where it cannot begin near the start point that was asked for.
+    """
     outline = outline_of(region, request.cutter_radius)
     if outline is None:
         return None
     # beside a middle of the plug lap follows lap for longest, best along a straight wall
     deep = axis.nodes[axis.clearance > ROOMY * axis.clearance.max(initial=0.0)]
-    if len(deep) == 0:  # too narrow for an axis
-        deep = shapely.get_coordinates(outline.ring)
+    asked = request.start_point
+    if len(deep) == 0 or asked is not None:  # too narrow for an axis, or anywhere near a place
+        deep = shapely.get_coordinates(shapely.segmentize(outline.ring, request.cutter_radius))
     zone = BLEND * request.cutter_radius
     leaves = located(outline.ring, deep) - zone / 2
     bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
     leaves = leaves[bent <= max(STRAIGHT, float(bent.min()))]
-    # programs come from the origin
-    away = np.hypot(*points_at(outline.ring, leaves % outline.ring.length).T)
+    # programs come from the origin; the way down begins a ramp before it ends, on the way back
+    place, ahead = ((0.0, 0.0), 0.0) if asked is None else (asked, _slot_ramp(request))
+    away = np.hypot(*(points_at(outline.ring, (leaves + ahead) % outline.ring.length) - place).T)
+    if asked is not None and away.min() > request.tool_diameter:
+        return None
     leave = float(leaves[np.argmin(away)])
     points = between(outline.ring, leave, outline.ring.length)[:-1]
     ring = LineString(np.vstack([points, points[:1]]))
@@ -316,6 +325,12 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     there = np.vstack([points[:1], points[:0:-1]])
     slot = Slot(there, slot_bite(request))
     return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
+
+
+def _slot_ramp(request: PocketRequest) -> float:
+    """Return the length of a slot's ramps, seen from above [mm]."""
+    levels = np.ceil(request.axial_depth / slot_bite(request) - 1e-9)
+    return float(request.axial_depth / levels / np.tan(request.entry.helix_angle))
 
 
 def straightest(ring: LineString, window: float, radius: float) -> float:

@@ -203,7 +203,8 @@ def test_slot_bites_as_much_as_the_step_removes_but_not_too_deep():
 def test_cutter_goes_down_near_the_start_point(mode, asked):
     cutting = Cutting(stepover=2.4, cut_mode=mode)
     result = automatic(L_SHAPE, start_point=asked, cutting=cutting)
-    first = next(p for p in result.toolpath.points if p[2] < 0)
+    path = result.toolpath
+    first = path.starts[path.points[:, 2] < 0][0]
     # two radii off both walls, and the radius of the helix on
     assert math.hypot(*(first[:2] - asked)) < 2 * result.request.tool_diameter
     assert result.report.uncut_area < 0.01

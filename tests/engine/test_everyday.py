@@ -183,3 +183,10 @@ def test_an_arm_of_a_plug_beyond_reach_is_not_taken_for_cleared(diameter):
     cutting = Cutting(diameter / 4)
     report = plan(make_request(pocket, tool_diameter=diameter, cutting=cutting)).report
     assert report.uncut_area < 0.02 and report.link_hit < 0.05
+
+
+def test_crowds_of_points_cost_nothing():
+    plain = box(-10, -6, 10, 6).buffer(-2).buffer(2, quad_segs=32)
+    crowded = planned(shapely.segmentize(plain, 0.002))
+    assert len(crowded.toolpath) == len(planned(plain).toolpath)
+    assert crowded.request.pocket.exterior.length == pytest.approx(plain.exterior.length)
