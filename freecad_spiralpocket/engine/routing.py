@@ -20,8 +20,8 @@ from .ground import COARSE, Ground
 from .model import Floats
 from .spiral import between
 
-#: Longest chord of a link [mm].
-CHORD = 0.12
+#: Longest chord of a link that is tried, and of one that is taken [mm].
+CHORD, FINE = 0.12, 0.05
 #: Distances of control points tried, over R.
 SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5, 0.3)
 #: How far the loops go that turn round, over R.
@@ -140,7 +140,6 @@ class LongWays:
         middle = shapely.get_coordinates(
             shapely.line_interpolate_point(way, places, normalized=True)
         )
-        count = max(97, int(way.length / CHORD))
         free: list[tuple[float, Floats]] = []
         for size in sorted({(len(a), len(b)) for a, b in turns}):
             of_size = [(a, b) for a, b in turns if (len(a), len(b)) == size]
@@ -150,13 +149,13 @@ class LongWays:
                     for a, b in of_size
                 ]
             )
-            curves = clamped_spline(controls, count)
-            curves = curves[self._cleared.are_free(curves)]
-            curves = curves[tightest_bend(curves) >= least_radius]
-            lengths = np.hypot(*np.moveaxis(np.diff(curves, axis=1), -1, 0)).sum(axis=1)
-            free += zip(lengths.tolist(), curves, strict=True)
-        for _, curve in sorted(free, key=lambda pair: pair[0]):
-            if self._fence.covers(LineString(curve)):
+            curves = clamped_spline(controls, max(97, int(way.length / CHORD)))
+            good = self._cleared.are_free(curves) & (tightest_bend(curves) >= least_radius)
+            lengths = np.hypot(*np.moveaxis(np.diff(curves[good], axis=1), -1, 0)).sum(axis=1)
+            free += zip(lengths.tolist(), controls[good], strict=True)
+        for length, controls in sorted(free, key=lambda pair: pair[0]):
+            curve = clamped_spline(controls, max(193, int(length / FINE)))
+            if self._cleared.are_free(curve) and self._fence.covers(LineString(curve)):
                 yield curve
 
 

@@ -239,6 +239,8 @@ def test_long_way_round_turns_in_a_loop_where_there_is_room(end, arriving):
     leaving, reaching = way[1] - way[0], way[-1] - way[-2]
     assert leaving @ heading > 0.9 * np.hypot(*leaving)
     assert reaching @ arriving > 0.9 * np.hypot(*reaching)
+    # in a turn as tight as it may be a chord turns by less than 24 degrees
+    assert np.hypot(*np.diff(way, axis=0).T).max() < least * math.radians(24)
 
 
 @pytest.mark.parametrize("off", [0.0, 0.3, 0.6])
