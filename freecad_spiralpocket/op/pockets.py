@@ -139,7 +139,9 @@ class Pockets:
                     "Set the horizontal and vertical feed in the tool controller.",
                 )
             )
-        return [*feeds, *self._start_point_notices(wanted)]
+        depth = max((w.axial_depth for w in wanted), default=0.0)
+        tool = remarks.tool(self._obj.ToolController, depth)
+        return [*feeds, *tool, *self._start_point_notices(wanted)]
 
     def commands(self) -> list[Any]:
         """Return the commands that cut all pockets one after the other."""

@@ -74,6 +74,27 @@ def _is_cut_before(z: float, job: Any, obj: Any) -> bool:
     return False
 
 
+def tool(controller: Any, depth: float) -> list[Notice]:
+    """Tell of levels deeper [mm] than the cutting edge is long, and of a spindle that runs back."""
+    edge = getattr(controller.Proxy.getTool(controller), "CuttingEdgeHeight", None)
+    length, found = float(edge or 0.0), []
+    if 0 < length < depth - SAME_HEIGHT:
+        found.append(
+            Notice(
+                f"Levels are {depth:.3g} mm deep, the tool's cutting edge is {length:.3g} mm long.",
+                "Lower StepDown, or take a longer tool.",
+            )
+        )
+    if controller.SpindleDir == "Reverse":
+        found.append(
+            Notice(
+                "The spindle runs in reverse; what CutMode calls climb is conventional then.",
+                "Set the tool controller's spindle to forward, or the other CutMode.",
+            )
+        )
+    return found
+
+
 def open_sides(wanted: PocketRequest) -> Notice:
     """Tell what becomes of a pocket's open sides."""
     if wanted.beyond is None or wanted.beyond.is_empty:  # something may stand there

@@ -727,6 +727,10 @@
         <translation>Spirale wird gelegt</translation>
     </message>
     <message>
+        <source>Levels are {0} mm deep, the tool's cutting edge is {1} mm long.</source>
+        <translation>Die Ebenen sind {0} mm tief, die Schneide des Werkzeugs ist {1} mm lang.</translation>
+    </message>
+    <message>
         <source>Linear Morph cannot go round islands; there is one at {at}.</source>
         <translation>Lineares Morphen kann Inseln nicht umfahren; bei {at} ist eine.</translation>
     </message>
@@ -741,6 +745,10 @@
     <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>FinishDepth verringern oder StepDown vergrößern.</translation>
+    </message>
+    <message>
+        <source>Lower StepDown, or take a longer tool.</source>
+        <translation>StepDown verkleinern oder ein längeres Werkzeug nehmen.</translation>
     </message>
     <message>
         <source>Lower StockToLeave.</source>
@@ -905,6 +913,10 @@
     <message>
         <source>Set the horizontal and vertical feed in the tool controller.</source>
         <translation>Waagerechten und senkrechten Vorschub in der Werkzeugsteuerung einstellen.</translation>
+    </message>
+    <message>
+        <source>Set the tool controller's spindle to forward, or the other CutMode.</source>
+        <translation>Die Spindel des Werkzeugcontrollers auf vorwärts stellen oder den anderen CutMode wählen.</translation>
     </message>
     <message>
         <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
@@ -1081,6 +1093,10 @@
     <message>
         <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
         <translation>Der verlangsamte Vorschub von {0} Prozent liegt nicht zwischen 0 und 100 Prozent.</translation>
+    </message>
+    <message>
+        <source>The spindle runs in reverse; what CutMode calls climb is conventional then.</source>
+        <translation>Die Spindel läuft rückwärts; was CutMode Gleichlauf nennt, ist dann Gegenlauf.</translation>
     </message>
     <message>
         <source>The start point at {at} lies in none of the pockets.</source>

@@ -727,6 +727,10 @@
         <translation>Trazando la espiral</translation>
     </message>
     <message>
+        <source>Levels are {0} mm deep, the tool's cutting edge is {1} mm long.</source>
+        <translation>Los niveles tienen {0} mm de profundidad, el filo de la herramienta {1} mm de largo.</translation>
+    </message>
+    <message>
         <source>Linear Morph cannot go round islands; there is one at {at}.</source>
         <translation>Transición lineal no puede rodear islas; hay una en {at}.</translation>
     </message>
@@ -741,6 +745,10 @@
     <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>Reduzca FinishDepth o aumente StepDown.</translation>
+    </message>
+    <message>
+        <source>Lower StepDown, or take a longer tool.</source>
+        <translation>Baje StepDown o tome una herramienta más larga.</translation>
     </message>
     <message>
         <source>Lower StockToLeave.</source>
@@ -905,6 +913,10 @@
     <message>
         <source>Set the horizontal and vertical feed in the tool controller.</source>
         <translation>Ponga los avances horizontal y vertical en el controlador de herramienta.</translation>
+    </message>
+    <message>
+        <source>Set the tool controller's spindle to forward, or the other CutMode.</source>
+        <translation>Ponga el husillo del controlador de herramienta hacia delante, o el otro CutMode.</translation>
     </message>
     <message>
         <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
@@ -1081,6 +1093,10 @@
     <message>
         <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
         <translation>El avance reducido del {0} por ciento no está entre 0 y 100.</translation>
+    </message>
+    <message>
+        <source>The spindle runs in reverse; what CutMode calls climb is conventional then.</source>
+        <translation>El husillo gira al revés; lo que CutMode llama en concordancia es entonces en oposición.</translation>
     </message>
     <message>
         <source>The start point at {at} lies in none of the pockets.</source>

@@ -727,6 +727,10 @@
         <translation>Tracé de la spirale</translation>
     </message>
     <message>
+        <source>Levels are {0} mm deep, the tool's cutting edge is {1} mm long.</source>
+        <translation>Les niveaux font {0} mm de profondeur, l'arête de l'outil {1} mm de long.</translation>
+    </message>
+    <message>
         <source>Linear Morph cannot go round islands; there is one at {at}.</source>
         <translation>Le Morphing linéaire ne contourne pas les îlots ; il y en a un en {at}.</translation>
     </message>
@@ -741,6 +745,10 @@
     <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>Diminuez FinishDepth ou augmentez StepDown.</translation>
+    </message>
+    <message>
+        <source>Lower StepDown, or take a longer tool.</source>
+        <translation>Diminuez StepDown, ou prenez un outil plus long.</translation>
     </message>
     <message>
         <source>Lower StockToLeave.</source>
@@ -905,6 +913,10 @@
     <message>
         <source>Set the horizontal and vertical feed in the tool controller.</source>
         <translation>Réglez les avances horizontale et verticale dans le contrôleur d'outil.</translation>
+    </message>
+    <message>
+        <source>Set the tool controller's spindle to forward, or the other CutMode.</source>
+        <translation>Réglez la broche du contrôleur d'outil en avant, ou l'autre CutMode.</translation>
     </message>
     <message>
         <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
@@ -1081,6 +1093,10 @@
     <message>
         <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
         <translation>L'avance ralentie de {0} pour cent n'est pas entre 0 et 100.</translation>
+    </message>
+    <message>
+        <source>The spindle runs in reverse; what CutMode calls climb is conventional then.</source>
+        <translation>La broche tourne à l'envers ; ce que CutMode appelle en avalant est alors en opposition.</translation>
     </message>
     <message>
         <source>The start point at {at} lies in none of the pockets.</source>

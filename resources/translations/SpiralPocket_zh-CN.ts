@@ -727,6 +727,10 @@
         <translation>生成螺线</translation>
     </message>
     <message>
+        <source>Levels are {0} mm deep, the tool's cutting edge is {1} mm long.</source>
+        <translation>每层深 {0} mm，刀具的切削刃长 {1} mm。</translation>
+    </message>
+    <message>
         <source>Linear Morph cannot go round islands; there is one at {at}.</source>
         <translation>“线性渐变”不能绕过岛屿；{at} 处有一个。</translation>
     </message>
@@ -741,6 +745,10 @@
     <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>减小 FinishDepth 或增大 StepDown。</translation>
+    </message>
+    <message>
+        <source>Lower StepDown, or take a longer tool.</source>
+        <translation>请减小 StepDown，或使用更长的刀具。</translation>
     </message>
     <message>
         <source>Lower StockToLeave.</source>
@@ -905,6 +913,10 @@
     <message>
         <source>Set the horizontal and vertical feed in the tool controller.</source>
         <translation>请在刀具控制器中设置水平和垂直进给。</translation>
+    </message>
+    <message>
+        <source>Set the tool controller's spindle to forward, or the other CutMode.</source>
+        <translation>请将刀具控制器的主轴设为正转，或选择另一种 CutMode。</translation>
     </message>
     <message>
         <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
@@ -1081,6 +1093,10 @@
     <message>
         <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
         <translation>减速进给 {0} % 不在 0 到 100 % 之间。</translation>
+    </message>
+    <message>
+        <source>The spindle runs in reverse; what CutMode calls climb is conventional then.</source>
+        <translation>主轴反转；CutMode 所称的顺铣此时为逆铣。</translation>
     </message>
     <message>
         <source>The start point at {at} lies in none of the pockets.</source>

@@ -60,3 +60,15 @@ def test_rapids_stay_above_the_safe_height_until_something_was_cut(job, heights)
             assert z >= op.SafeHeight.Value - 1e-6
         low = low or (command.Name != "G0" and z is not None and z < -1e-6)
     assert low
+
+
+def test_a_short_edge_and_a_spindle_in_reverse_are_told(job):
+    controller = job.Tools.Group[0]
+    controller.Tool.CuttingEdgeHeight = 2
+    controller.SpindleDir = "Reverse"
+    op = cut(job)
+    assert told(op, "cutting edge is 2 mm long") and told(op, "in reverse")
+    op.setExpression("StepDown", None)
+    op.StepDown = 1.5
+    job.Document.recompute()
+    assert not told(op, "cutting edge")
