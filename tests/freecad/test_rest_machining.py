@@ -59,15 +59,16 @@ def reachable(points, diameter):
     return shapely.Polygon(points).buffer(-diameter / 2).buffer(diameter / 2, quad_segs=64)
 
 
-@pytest.mark.parametrize("mode", ["Climb", "Conventional"])
-@pytest.mark.parametrize("outline", [[(0, 0), (60, 0), (60, 45), (0, 45)], DUMBBELL])
+@pytest.mark.parametrize(
+    ("outline", "mode"),
+    [([(0, 0), (60, 0), (60, 45), (0, 45)], "Climb"), (DUMBBELL, "Conventional")],
+)
 def test_the_small_cutter_takes_what_the_large_one_left(doc, outline, mode):
     shape = block(area(polygon(outline)))
     job, part, large, small = job_of(doc, shape)
     first = cut(job, part, large)
     rest = cut(job, part, small, UseRestMachining=True, CutMode=mode)
-    whole = cut(job, part, small, CutMode=mode)
-    assert rest.MachiningTime < 0.7 * whole.MachiningTime
+    assert rest.MachiningTime < 0.7 * first.MachiningTime
     both = shapely.union(swept(first, LARGE), swept(rest, SMALL))
     left = shapely.difference(reachable(outline, SMALL), both.buffer(0.03)).buffer(-0.01)
     assert left.area < 0.05
