@@ -177,7 +177,9 @@ def test_a_neck_as_wide_as_the_cutter_and_no_more_is_told_and_the_rooms_are_cut(
 @pytest.mark.parametrize("diameter", [5.0, 5.2])
 def test_an_arm_of_a_plug_beyond_reach_is_not_taken_for_cleared(diameter):
     # filled by the rounding of fronts, the Q's tail has no edge left that would tell
-    path = TextPath((0, 0), "Q", size=100, prop=FontProperties("DejaVu Serif", weight="bold"))
+    path = TextPath(
+        (0, 0), "Q", size=100, prop=FontProperties(family="DejaVu Serif", weight="bold")
+    )
     rings = sorted((Polygon(ring) for ring in path.to_polygons()), key=lambda ring: -ring.area)
     pocket = rings[0].difference(shapely.union_all(rings[1:]))
     cutting = Cutting(diameter / 4)

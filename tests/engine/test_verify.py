@@ -238,7 +238,7 @@ def test_engagement_over_the_limit_is_told_in_degrees():
     report = proved(path)
     assert np.degrees(report.engagement_max) == pytest.approx(180.0, abs=0.01)
     assert report.engagement_max >= report.engagement_p99 >= report.engagement_mean
-    assert "the engagement reaches 180 degrees, the step-over of 40 % allows 78." in said(report)
+    assert "the engagement reaches 180 degrees, the step-over of 40 % allows 78; " in said(report)
 
 
 def test_entry_is_not_judged():

@@ -68,7 +68,7 @@ def test_the_small_cutter_takes_what_the_large_one_left(doc, outline, mode):
     job, part, large, small = job_of(doc, shape)
     first = cut(job, part, large)
     rest = cut(job, part, small, UseRestMachining=True, CutMode=mode)
-    assert rest.MachiningTime < 0.7 * first.MachiningTime
+    assert rest.MachiningTime < 0.85 * first.MachiningTime
     both = shapely.union(swept(first, LARGE), swept(rest, SMALL))
     left = shapely.difference(reachable(outline, SMALL), both.buffer(0.03)).buffer(-0.01)
     assert left.area < 0.05
