@@ -83,7 +83,7 @@ def entry_start(entry: WayDown, angle: float, top: float, bottom: float) -> Floa
     if isinstance(entry, Plunge):
         return entry.place
     ring = _closed(entry.ring)
-    ramp = _slot_ramp(entry, angle, top, bottom)
+    ramp = slot_ramp(entry.bite, angle, top - bottom)
     return np.array(ring.interpolate(-ramp % ring.length).coords[0])
 
 
@@ -99,13 +99,13 @@ def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> 
         For the depth of its first level, nearly, and the ramp's angle.
     """
     ring = _closed(slot.ring)
-    ramp = _slot_ramp(slot, request.entry.helix_angle, request.axial_depth, 0.0)
+    ramp = slot_ramp(slot.bite, request.entry.helix_angle, request.axial_depth)
     return float((ring.project(Point(asked)) + ramp) % ring.length)
 
 
-def _slot_ramp(slot: Slot, angle: float, top: float, bottom: float) -> float:
-    """Return the length of the ramps of a slot, seen from above [mm]."""
-    return (top - bottom) / _slot_levels(slot, top, bottom) / math.tan(angle)
+def slot_ramp(bite: float, angle: float, depth: float) -> float:
+    """Return the length of the ramps of a slot of some depth, seen from above [mm]."""
+    return depth / slot_levels(bite, depth) / math.tan(angle)
 
 
 def cut_entry(
@@ -168,8 +168,9 @@ def _closed(ring: Floats) -> LineString:
     return LineString(np.vstack([ring, ring[:1]]))
 
 
-def _slot_levels(slot: Slot, top: float, bottom: float) -> int:
-    return max(1, math.ceil((top - bottom) / slot.bite - 1e-9))
+def slot_levels(bite: float, depth: float) -> int:
+    """Return in how many levels a slot of some depth is cut."""
+    return max(1, math.ceil(depth / bite - 1e-9))
 
 
 def _cut_slot(
@@ -183,7 +184,7 @@ def _cut_slot(
 ) -> None:
     """Add the loops of a slot: each begins with a ramp, the last one runs over its ramp again."""
     ring = _closed(slot.ring)
-    levels = _slot_levels(slot, top, bottom)
+    levels = slot_levels(slot.bite, top - bottom)
     bite = (top - bottom) / levels
     ramp = bite / math.tan(angle)
     corners = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(ring.coords, axis=0).T))])

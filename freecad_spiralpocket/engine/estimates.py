@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 from shapely import LineString
 
+from .entry import slot_levels
 from .floor import Groove, Helix, Plunge
 from .groove import groove_path
 from .linking import Motion, link_times
@@ -66,7 +67,7 @@ def entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float
         return (depth / math.tan(angle) / start.ring.length + 1) * once
     if isinstance(entry, Groove):
         return way_seconds(groove_path(entry, angle, depth, 0.0), request, motion)
-    levels = math.ceil(depth / entry.bite - 1e-9)
+    levels = slot_levels(entry.bite, depth)
     return levels * once + depth / levels / math.tan(angle) / motion.cut_feed
 
 

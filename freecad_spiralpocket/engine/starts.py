@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from shapely import LineString, Point, Polygon
 
 from .branches import feet_between, lengthened, slim_ring, smoothed
-from .entry import WIDEST, fit_helix_radius
+from .entry import WIDEST, fit_helix_radius, slot_ramp
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot, WayDown
 from .graphs import delaunay_triangles, spanning_tree
@@ -313,8 +313,9 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     leaves = located(outline.ring, deep) - zone / 2
     bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
     leaves = leaves[bent <= max(STRAIGHT, float(bent.min()))]
+    ramp = slot_ramp(slot_bite(request), request.entry.helix_angle, request.axial_depth)
     # programs come from the origin; the way down begins a ramp before it ends, on the way back
-    place, ahead = ((0.0, 0.0), 0.0) if asked is None else (asked, _slot_ramp(request))
+    place, ahead = ((0.0, 0.0), 0.0) if asked is None else (asked, ramp)
     away = np.hypot(*(points_at(outline.ring, (leaves + ahead) % outline.ring.length) - place).T)
     if asked is not None and away.min() > request.tool_diameter:
         return None
@@ -325,12 +326,6 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     there = np.vstack([points[:1], points[:0:-1]])
     slot = Slot(there, slot_bite(request))
     return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
-
-
-def _slot_ramp(request: PocketRequest) -> float:
-    """Return the length of a slot's ramps, seen from above [mm]."""
-    levels = np.ceil(request.axial_depth / slot_bite(request) - 1e-9)
-    return float(request.axial_depth / levels / np.tan(request.entry.helix_angle))
 
 
 def straightest(ring: LineString, window: float, radius: float) -> float:
