@@ -73,7 +73,7 @@ def test_the_engine_speaks_german_in_the_window(german):
 
 @pytest.mark.parametrize("template", [t for t, _ in module._patterns()])
 def test_every_sentence_is_recognized_with_its_figures(marked, template):
-    figures = iter(["12.5", "7", "0.25"])
+    figures = iter(["12.5", "7", "0.25", "3.0"])
     sentence = module._PLACE.sub(
         lambda place: "X1.0 Y-2.0" if place[1] == "at" else next(figures), template
     )
