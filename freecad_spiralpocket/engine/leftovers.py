@@ -13,7 +13,7 @@ import shapely
 from shapely import Polygon
 
 from .model import PocketRequest
-from .open_sides import needed_for
+from .open_sides import HAIR, needed_for
 from .region import grow, polygons_of
 from .shaping import buffer
 
@@ -21,8 +21,12 @@ from .shaping import buffer
 LARGE = 0.98
 #: and so many of them are tried at most, the largest.
 TRIED = 12
-#: Hairlines between pieces do not join them [mm].
-HAIR = 0.01
+
+
+def is_left(region: Polygon, request: PocketRequest) -> bool:
+    """Return whether more than hairlines are left to cut from a cutter-center region."""
+    wanted = request.to_clear(grow(region, request.cutter_radius))
+    return not buffer(wanted, -HAIR).is_empty
 
 
 def large_pieces(region: Polygon, request: PocketRequest) -> list[Polygon]:
@@ -35,7 +39,7 @@ def large_pieces(region: Polygon, request: PocketRequest) -> list[Polygon]:
     """
     radius = request.cutter_radius
     wanted = request.to_clear(grow(region, radius))
-    pieces = polygons_of(buffer(buffer(wanted, -HAIR), HAIR))
+    pieces = polygons_of(buffer(buffer(wanted, -HAIR), HAIR))  # hairlines do not join them
     if len(pieces) < 2:  # from within it has been tried
         return []
     large = [piece for piece in pieces if not buffer(piece, -LARGE * radius).is_empty]

@@ -32,9 +32,6 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-#: Ground thinner than twice this is left by rounding alone [mm].
-HAIR = 0.01
-
 #: Called with the finished fraction [0, 1] and the name of the stage; returns True to cancel.
 Progress = Callable[[float, str], bool]
 
@@ -254,10 +251,6 @@ class PocketRequest:
         ground = ground if self.stock is None else ground.intersection(self.stock)
         # where edges meet lines may come of it
         return ground.buffer(0) if ground.geom_type == "GeometryCollection" else ground
-
-    def leaves_to_clear(self, ground: Geometry) -> bool:
-        """Return whether more than hairlines of some ground of the pocket shall be cleared."""
-        return not self.to_clear(ground).buffer(-HAIR).is_empty
 
     @property
     def cutter_radius(self) -> float:

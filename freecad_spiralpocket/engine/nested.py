@@ -28,12 +28,12 @@ from .cleared import ClearedMap
 from .entry import slot_end
 from .floor import FloorPath, Helix, Pass, Slot
 from .kinks import has_kink, reach_of_kinks, softened
+from .leaving import straightest
 from .linking import Motion, leave_wall
 from .model import Floats, PocketRequest, Tick
 from .ordering import Run, Step, order
 from .polyline import ring_from, simplified
 from .spiral import BLEND, gaps, spiral_through, zone_length, zones
-from .starts import straightest
 from .strokes import Stroke
 from .toolpath import Role
 from .turns import Match, Ring, match, turn

@@ -25,6 +25,7 @@ from .engagement import Engagement, along_path
 from .errors import AlreadyClearedError, CancelledError, ProofError, SpiralPocketError
 from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
+from .leftovers import is_left
 from .levels import levels_of
 from .machine import MIDDLING
 from .mirroring import mirrored, mirrored_request
@@ -39,7 +40,6 @@ from .model import (
     Tick,
 )
 from .open_sides import needed
-from .region import grow
 from .rendering import Cut, render
 from .repair import Proved, badness, repaired
 from .rooms import Room, rooms_of
@@ -130,10 +130,10 @@ def _rooms_with_stock(request: PocketRequest) -> tuple[list[Room], list[Notice]]
     CutterDoesNotFitError
         If the cutter does not fit the topmost level.
     """
-    radius = request.cutter_radius
-    rooms, notices = rooms_of(levels_of(request), radius, request.cutting.stock_to_leave)
+    stock = request.cutting.stock_to_leave
+    rooms, notices = rooms_of(levels_of(request), request.cutter_radius, stock)
     if request.stock is not None:
-        rooms = [r for r in rooms if request.leaves_to_clear(grow(r.region, radius))]
+        rooms = [room for room in rooms if is_left(room.region, request)]
     if not rooms:
         raise AlreadyClearedError(
             "Earlier operations have cleared this pocket as far as this cutter reaches.",
@@ -289,7 +289,9 @@ def _floor_path(
     if is_mirrored:
         region, request = mirrored(region), mirrored_request(request)
     if request.strategy is not Strategy.AUTOMATIC:
-        region = needed(region, request)
+        part = needed(region, request)
+        # a ring about what was cleared before would have an island that is none
+        region = part if len(part.interiors) == len(region.interiors) else region
     try:
         return strategy(region, request, tick)
     except CancelledError:

@@ -28,6 +28,7 @@ from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot, WayDown
 from .graphs import delaunay_triangles, spanning_tree
 from .groove import rooms_of
+from .leaving import bends, straightest
 from .model import Floats, PocketRequest
 from .outline import outline_of
 from .polyline import located, points_at
@@ -326,44 +327,6 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     there = np.vstack([points[:1], points[:0:-1]])
     slot = Slot(there, slot_bite(request))
     return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
-
-
-def straightest(ring: LineString, window: float, radius: float) -> float:
-    """Return where along a ring the next `window` [mm] bends least, not in a notch.
-
-    A notch is as narrow as a cutter of `radius` [mm] in a cutter-center region.
-    """
-    at = np.linspace(0, ring.length, 200, endpoint=False)
-    bent = bends(ring, at, window)
-    best = int(np.argmin(bent))
-    around = buffer(buffer(Polygon(ring), 2 * radius), -2 * radius).boundary
-    places = shapely.points(points_at(ring, at))
-    if around.distance(places[best]) > radius:
-        bent = np.where(shapely.dwithin(places, around, radius), bent, np.inf)
-        best = int(np.argmin(bent))
-    return float(at[best])
-
-
-def bends(ring: LineString, at: Floats, window: float) -> Floats:
-    """Return by how much a closed ring bends over the next `window` [mm] from places [rad]."""
-    coords = shapely.get_coordinates(ring)
-    heading = np.unwrap(np.arctan2(*np.diff(coords, axis=0).T[::-1]))
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
-    # a closed ring turns once, one way or the other
-    turn = 2 * np.pi if shapely.is_ccw(ring) else -2 * np.pi
-
-    def heading_at(s: Floats) -> Floats:
-        turns = np.floor(s / ring.length)
-        edge = np.clip(
-            np.searchsorted(along, s % ring.length, side="right") - 1, 0, len(heading) - 1
-        )
-        return heading[edge] + turn * turns
-
-    total = sum(
-        np.abs(heading_at(at + (i + 1) * window / 6) - heading_at(at + i * window / 6))
-        for i in range(6)
-    )
-    return np.round(total, 3)
 
 
 def island_ring(region: Polygon, request: PocketRequest) -> Start | None:

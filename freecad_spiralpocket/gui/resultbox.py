@@ -65,7 +65,7 @@ class ResultBox:
 
     def changed(self) -> None:
         """Wait for the outlook; what stands here is out of date."""
-        self.body.setEnabled(False)
+        self._enable(False)
 
     def computed(self) -> None:
         """Say whether the path was made."""
@@ -95,7 +95,7 @@ class ResultBox:
         state = self._state_of(bool(plans), applied, bool(remarks))
         shown = ([id(p) for p in plans], state, remarks)
         is_known = bool(plans) or self._outlook.is_settled
-        self.body.setEnabled(is_known)
+        self._enable(is_known)
         if shown == self._shown:
             return
         self._shown = shown
@@ -105,6 +105,11 @@ class ResultBox:
         self._page.form.summary.setText(summary_of(self._obj, plans, remarks) or state)
         self._show_figures(figures_of(self._obj, plans) if plans else [])
         self._show_remarks(remarks)
+
+    def _enable(self, on: bool) -> None:
+        """Show what stands here, and the line at the top of the page, in black or in grey."""
+        self.body.setEnabled(on)
+        self._page.form.summary.setEnabled(on)
 
     def _state_of(self, planned: bool, applied: bool, told: bool) -> str:
         if applied:

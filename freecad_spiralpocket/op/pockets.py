@@ -230,8 +230,7 @@ class Pockets:
 
     def _remarks_on(self, floor: selection.Floor, wanted: PocketRequest) -> list[Notice]:
         """Return what is to be told of one pocket, whatever comes of its plan."""
-        job = parent_job(self._obj)
-        found = remarks.depths(wanted, floor.z, job, self._obj)
+        found = remarks.depths(wanted, floor.z, self._obj)
         if floor.open_edges:
             found.append(remarks.open_sides(wanted))
         if self._overhung[floor.label] > TOLD_OVERHANG:

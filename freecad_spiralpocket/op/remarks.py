@@ -6,14 +6,15 @@ from __future__ import annotations
 from typing import Any
 
 from ..engine.model import Notice, PocketRequest
-from .compat import operation_property
+from .compat import parent_job
+from .rest import operations_before
 from .selection import SAME_HEIGHT
 
 #: A smaller share of a pocket that was cleared before is none.
 LEAST_SHARE = 0.001
 
 
-def depths(wanted: PocketRequest, floor: float, job: Any, obj: Any) -> list[Notice]:
+def depths(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
     """Tell of cuts below the selected floor, into walls, and of stock above the start depth.
 
     Parameters
@@ -21,10 +22,10 @@ def depths(wanted: PocketRequest, floor: float, job: Any, obj: Any) -> list[Noti
     wanted : PocketRequest
     floor : float
         Z of the selected face [mm].
-    job, obj : object
-        The job and the operation.
+    obj : object
+        The operation.
     """
-    stock, found = job.Stock.Shape.BoundBox, []
+    stock, found = parent_job(obj).Stock.Shape.BoundBox, []
     below, through = floor - wanted.floor, stock.ZMin - wanted.floor
     if through > SAME_HEIGHT:
         found.append(
@@ -50,7 +51,8 @@ def depths(wanted: PocketRequest, floor: float, job: Any, obj: Any) -> list[Noti
             )
         )
     above = stock.ZMax - wanted.heights.start_depth
-    if above > SAME_HEIGHT and not _is_cut_before(wanted.heights.start_depth, job, obj):
+    lowest = min((o.Path.BoundBox.ZMin for o in operations_before(obj)), default=stock.ZMax)
+    if above > SAME_HEIGHT and lowest > wanted.heights.start_depth + SAME_HEIGHT:
         found.append(
             Notice(
                 f"The stock reaches {above:.3g} mm above the start depth; the cutter goes down "
@@ -59,19 +61,6 @@ def depths(wanted: PocketRequest, floor: float, job: Any, obj: Any) -> list[Noti
             )
         )
     return found
-
-
-def _is_cut_before(z: float, job: Any, obj: Any) -> bool:
-    """Return whether an operation before this one goes down to a height."""
-    for operation in job.Operations.Group:
-        if obj.Name in (operation.Name, *(o.Name for o in operation.OutListRecursive)):
-            return False
-        path = getattr(operation, "Path", None)
-        if path is None or not path.Size or not operation_property(operation, "Active"):
-            continue
-        if path.BoundBox.ZMin < z + SAME_HEIGHT:
-            return True
-    return False
 
 
 def tool(controller: Any, depth: float) -> list[Notice]:

@@ -55,7 +55,8 @@ def rest_of(wanted: PocketRequest, obj: Any, known: dict[Any, Any]) -> PocketReq
     rest: shapely.Geometry = pocket
     for operation, diameter in _cutters_before(obj):
         path = operation.Path
-        key = (operation.Name, path.Size, path.Length, diameter, rest.wkb, floor)
+        extent = str(path.BoundBox)
+        key = (operation.Name, path.Size, path.Length, extent, diameter, rest.wkb, floor)
         if key not in known:
             pieces = _pieces(path.toGCode(), diameter / 2, floor, wanted.axial_depth)
             known[key] = rest
@@ -85,14 +86,22 @@ def _inside(request: PocketRequest) -> Polygon:
     return pocket if request.beyond is None else pocket.difference(request.beyond)
 
 
-def _cutters_before(obj: Any) -> Iterator[tuple[Any, float]]:
-    """Yield the operations before this one that clear ground, and their cutters' diameters [mm]."""
-    job = parent_job(obj)
-    for operation in job.Operations.Group:
+def operations_before(obj: Any) -> Iterator[Any]:
+    """Yield the active operations of the job that stand before this one and have a path."""
+    for operation in parent_job(obj).Operations.Group:
+        # a dressup stands for the operation in it
         if obj.Name in (operation.Name, *(o.Name for o in operation.OutListRecursive)):
             return
+        path = getattr(operation, "Path", None)
+        if path is not None and path.Size and operation_property(operation, "Active"):
+            yield operation
+
+
+def _cutters_before(obj: Any) -> Iterator[tuple[Any, float]]:
+    """Yield the operations before this one that clear ground, and their cutters' diameters [mm]."""
+    for operation in operations_before(obj):
         controller = operation_property(operation, "ToolController")
-        if controller is None or not operation_property(operation, "Active"):
+        if controller is None:
             continue
         tool = controller.Proxy.getTool(controller)
         if tool and tool_shape(tool) not in (*ROUND_TOOLS, *UNSUITABLE_TOOLS):

@@ -26,14 +26,13 @@ from ..estimates import LIFT_SECONDS, entry_seconds, least_seconds, motion_of, s
 from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
 from ..front_rules import MEETING, WIDEST, FrontRules, step_limit
 from ..fronts import MAX_FRONTS, STRETCH, grow
-from ..leftovers import large_pieces, without
+from ..leftovers import is_left, large_pieces, without
 from ..linking import Motion
 from ..model import Floats, PocketRequest, Tick
 from ..nearest import nearest
 from ..open_sides import needed, starts_of, strokes_in_stock, strokes_within
 from ..ordering import Step, order, runs_of
 from ..polyline import simplified
-from ..region import grow as grow_region
 from ..region import polygons_of
 from ..shaping import Region, buffer, largest, oriented, thick_parts
 from ..sizes import resized, resized_path, resized_request
@@ -129,7 +128,7 @@ def _piecewise(
         after = without(after, inner)
     if not alone:
         return [best]
-    if after.leaves_to_clear(grow_region(region, request.cutter_radius)):
+    if is_left(region, after):
         alone.append(_fastest(starts_of(region, after), needed(region, after), after, tick))
     total = sum(part.seconds for part in alone) + LIFT_SECONDS * (len(alone) - 1)
     return alone if total < (CHANNEL_TOLL if from_air else 1.0) * best.seconds else [best]
