@@ -91,7 +91,7 @@ def tell_engagement(
     return [
         Notice(
             f"At {{at}} the engagement reaches {np.degrees(angle):.0f} degrees, the step-over of "
-            f"{percent:.0f} % allows {np.degrees(limit):.0f}; {100 * share:.1f} % of the cut "
+            f"{percent:.0f} % allows {np.degrees(limit):.0f}; {100 * share:.2f} % of the cut "
             "clearly pass that.",
             "The feed is lowered there; take a lower one if that is too heavy for the cutter.",
             place,
