@@ -87,7 +87,7 @@ def summary_of(obj: Any, plans: Sequence[Plan], remarks: Sequence[Remark]) -> st
         ),
     ]
     if remarks:
-        parts.append(translate("SpiralPocket", "{} remarks below").format(len(remarks)))
+        parts.append(translate("SpiralPocket", "remarks: {}").format(len(remarks)))
     return "; ".join(parts)
 
 

@@ -404,8 +404,8 @@
         <translation>Zeit auf {}</translation>
     </message>
     <message>
-        <source>{} remarks below</source>
-        <translation>{} Hinweise unten</translation>
+        <source>remarks: {}</source>
+        <translation>Hinweise: {}</translation>
     </message>
     <message>
         <source>unknown</source>

@@ -404,8 +404,8 @@
         <translation>Tiempo en {}</translation>
     </message>
     <message>
-        <source>{} remarks below</source>
-        <translation>{} avisos abajo</translation>
+        <source>remarks: {}</source>
+        <translation>avisos: {}</translation>
     </message>
     <message>
         <source>unknown</source>

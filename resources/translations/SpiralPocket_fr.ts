@@ -404,8 +404,8 @@
         <translation>Temps sur {}</translation>
     </message>
     <message>
-        <source>{} remarks below</source>
-        <translation>{} remarques ci-dessous</translation>
+        <source>remarks: {}</source>
+        <translation>remarques : {}</translation>
     </message>
     <message>
         <source>unknown</source>

@@ -404,8 +404,8 @@
         <translation>在 {} 上的用时</translation>
     </message>
     <message>
-        <source>{} remarks below</source>
-        <translation>下方有 {} 条提示</translation>
+        <source>remarks: {}</source>
+        <translation>提示：{} 条</translation>
     </message>
     <message>
         <source>unknown</source>
