@@ -100,11 +100,12 @@ def _rounded(filled: Polygon, radius: float) -> Region:
     left = shapely.get_parts(shapely.difference(filled, shape))
     deep = _depths(left, shape)
     for i, share in enumerate(finer):
-        if deep.max(initial=0.0) <= (CRUMB if i == 0 else ACUTE):
+        must = (deep > ACUTE) | _are_between(left, shape)
+        if not must.any() and (i > 0 or deep.max(initial=0.0) <= CRUMB):
             break
         fine = opened(share)
         blunt = (deep > CRUMB) & (_depths(left, fine) < DONE) if i == 0 else False
-        shape = _finer(shape, fine, left[blunt | (deep > ACUTE)])
+        shape = _finer(shape, fine, left[blunt | must])
         left = shapely.get_parts(shapely.difference(filled, shape))
         deep = _depths(left, shape)
     return shape
@@ -116,6 +117,14 @@ def _finer(shape: Region, fine: Region, corners: NDArray[np.object_]) -> Region:
         return shape
     there = buffer(shapely.union_all(corners), CRACK)
     return shapely.union(shape, shapely.intersection(fine, there))
+
+
+def _are_between(pieces: NDArray[np.object_], region: Region) -> NDArray[np.bool_]:
+    """Return which pieces lie between two parts of a region, as a channel between rooms does."""
+    parts = np.array(polygons_of(region), dtype=object)
+    if len(parts) < 2:
+        return np.zeros(len(pieces), dtype=bool)
+    return np.asarray(shapely.dwithin(parts[:, None], pieces, CRACK).sum(axis=0) > 1)
 
 
 def _depths(pieces: NDArray[np.object_], region: Region) -> Floats:

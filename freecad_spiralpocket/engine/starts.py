@@ -62,7 +62,7 @@ LEAST_ROOM = 0.1
 #: Radius of reentrant curves of the racetrack, over R; the first that leaves no post.
 ROUNDINGS = (1.0, 0.5)
 #: The same for the ring round islands.
-RING_ROUNDINGS = (1.0, 0.5, 0.2, 0.1)
+RING_ROUNDINGS = (1.0, 0.5, 0.2, 0.1, 0.02, 0.005, 0.002, 0.0005)
 #: The ring keeps off the islands' walls by this [mm].
 CHORD_SLACK = 0.004
 #: Width of the smoothing of the center curve, over R.

@@ -39,6 +39,8 @@ CHANNEL = (
 )
 #: The cutter just passes between the island and the wall.
 BY_THE_WALL = box(-40, -30, 40, 30).buffer(-5).buffer(5).difference(Point(0, 18).buffer(6))
+#: Between the three islands there are channels that meet.
+FORKED = box(-50, -35, 50, 35).buffer(-4).buffer(4)
 CROSS = box(-40, -9, 40, 9).union(box(-9, -40, 9, 40))
 WEDGE = Polygon([(0, 0), (90, 0), (0, 18)])
 
@@ -68,6 +70,19 @@ def test_dog_bones_are_cut_by_the_slot_along_the_wall():
 def test_channel_between_islands_is_no_full_cut_at_the_full_depth():
     report = planned(CHANNEL).report
     assert report.uncut_area < 0.01
+    assert report.engagement_max < report.engagement_limit + math.radians(35)
+
+
+@pytest.mark.parametrize("width", [6.02, 6.5])
+def test_channels_that_meet_between_islands_are_cut_in_levels(width):
+    islands = [
+        box(-24 - width / 2, -10, -6 - width / 2, 14),
+        box(-6 + width / 2, -10, 16 + width / 2, 14),
+        box(-20, 14 + width, 20, 20 + width),
+    ]
+    report = planned(FORKED.difference(shapely.union_all(islands))).report
+    assert report.uncut_area < 0.01
+    assert report.engagement_p99 < report.engagement_limit + math.radians(9)
     assert report.engagement_max < report.engagement_limit + math.radians(35)
 
 

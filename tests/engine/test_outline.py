@@ -119,6 +119,13 @@ def test_neck_narrower_than_the_slot_stays_one_ring():
     assert outline_of(regions(neck), R) is not None
 
 
+def test_stroke_that_is_narrow_in_places_stays_one_ring():
+    along = np.linspace(0, 120, 241)
+    widths = 3.1 + 0.2 * np.sin(along / 9) ** 2
+    discs = [Point(x, 0).buffer(w, quad_segs=24) for x, w in zip(along, widths, strict=True)]
+    assert outline_of(regions(shapely.union_all(discs)), R) is not None
+
+
 def test_path_ends_where_nothing_is_left():
     # a rib of 1 mm: one side of the lap round it takes all
     stock = box(-20, -0.5, 20, 0.5)
