@@ -83,8 +83,10 @@ def maximal_centers(
     radius : float
         R [mm].
     """
-    left = np.ones(len(axis.nodes), bool)
     centers: list[Center] = []
+    if len(axis.nodes) == 0:  # hardly wider than the cutter
+        return centers
+    left = np.ones(len(axis.nodes), bool)
     points = shapely.points(axis.nodes)
     rest = shapely.simplify(region, 0.1)
     offsets = _offsets(axis, half_width, stepover)

@@ -28,7 +28,7 @@ from .toolpath import Role, ToolpathBuilder
 
 #: Radius of the cutter center's circle over R at most: nearly R, and surely no post left.
 WIDEST = 0.94
-#: The same at least: below it the helix is a plunge.
+#: The same at least: below it the helix is a plunge, and so is a slot round no more.
 NARROWEST = 0.05
 #: The way down begins this far above the stock [mm].
 APPROACH = 0.5
@@ -83,7 +83,7 @@ def entry_start(entry: WayDown, angle: float, top: float, bottom: float) -> Floa
     if isinstance(entry, Plunge):
         return entry.place
     ring = _closed(entry.ring)
-    ramp = slot_ramp(entry.bite, angle, top - bottom)
+    ramp = slot_ramp(entry, angle, top - bottom)
     return np.array(ring.interpolate(-ramp % ring.length).coords[0])
 
 
@@ -99,13 +99,13 @@ def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> 
         For the depth of its first level, nearly, and the ramp's angle.
     """
     ring = _closed(slot.ring)
-    ramp = slot_ramp(slot.bite, request.entry.helix_angle, request.axial_depth)
+    ramp = slot_ramp(slot, request.entry.helix_angle, request.axial_depth)
     return float((ring.project(Point(asked)) + ramp) % ring.length)
 
 
-def slot_ramp(bite: float, angle: float, depth: float) -> float:
+def slot_ramp(slot: Slot, angle: float, depth: float) -> float:
     """Return the length of the ramps of a slot of some depth, seen from above [mm]."""
-    return depth / slot_levels(bite, depth) / math.tan(angle)
+    return depth / slot_levels(slot, angle, depth) / math.tan(angle)
 
 
 def cut_entry(
@@ -168,8 +168,13 @@ def _closed(ring: Floats) -> LineString:
     return LineString(np.vstack([ring, ring[:1]]))
 
 
-def slot_levels(bite: float, depth: float) -> int:
-    """Return in how many levels a slot of some depth is cut."""
+def slot_levels(slot: Slot, angle: float, depth: float) -> int:
+    """Return in how many levels a slot of some depth is cut.
+
+    No ramp is longer than once round it: about a short one there are more levels than its bite asks
+    for, until all of it is ramp.
+    """
+    bite = min(slot.bite, _closed(slot.ring).length * math.tan(angle))
     return max(1, math.ceil(depth / bite - 1e-9))
 
 
@@ -184,7 +189,7 @@ def _cut_slot(
 ) -> None:
     """Add the loops of a slot: each begins with a ramp, the last one runs over its ramp again."""
     ring = _closed(slot.ring)
-    levels = slot_levels(slot.bite, top - bottom)
+    levels = slot_levels(slot, angle, top - bottom)
     bite = (top - bottom) / levels
     ramp = bite / math.tan(angle)
     corners = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(ring.coords, axis=0).T))])

@@ -67,7 +67,7 @@ def entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float
         return (depth / math.tan(angle) / start.ring.length + 1) * once
     if isinstance(entry, Groove):
         return way_seconds(groove_path(entry, angle, depth, 0.0), request, motion)
-    levels = slot_levels(entry.bite, depth)
+    levels = slot_levels(entry, angle, depth)
     return levels * once + depth / levels / math.tan(angle) / motion.cut_feed
 
 

@@ -15,7 +15,7 @@ How a pocket is opened decides elongated pockets and pockets with islands:
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from shapely import LineString, Point, Polygon
 
 from .branches import feet_between, lengthened, slim_ring, smoothed
-from .entry import WIDEST, fit_helix_radius, slot_ramp
+from .entry import NARROWEST, WIDEST, fit_helix_radius, slot_ramp
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot, WayDown
 from .graphs import delaunay_triangles, spanning_tree
@@ -143,6 +143,7 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
     outlined = _outline(region, axis, request)
     if outlined is not None:
         starts.append(outlined)
+    starts = [start for start in starts if not _is_plunge(start, request)]
     if not starts:
         raise (
             failure
@@ -153,6 +154,12 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
             )
         )
     return starts
+
+
+def _is_plunge(start: Start, request: PocketRequest) -> bool:
+    """Return whether a slot is so short that the cutter would hardly move but down."""
+    shortest = 2 * np.pi * NARROWEST * request.cutter_radius
+    return isinstance(start.entry, Slot) and start.ring.length < shortest
 
 
 def _slots(region: Polygon, axis: Skeleton, request: PocketRequest) -> list[Start]:
@@ -314,7 +321,8 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     leaves = located(outline.ring, deep) - zone / 2
     bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
     leaves = leaves[bent <= max(STRAIGHT, float(bent.min()))]
-    ramp = slot_ramp(slot_bite(request), request.entry.helix_angle, request.axial_depth)
+    slot = Slot(shapely.get_coordinates(outline.ring)[:0:-1], slot_bite(request))
+    ramp = slot_ramp(slot, request.entry.helix_angle, request.axial_depth)
     # programs come from the origin; the way down begins a ramp before it ends, on the way back
     place, ahead = ((0.0, 0.0), 0.0) if asked is None else (asked, ramp)
     away = np.hypot(*(points_at(outline.ring, (leaves + ahead) % outline.ring.length) - place).T)
@@ -325,7 +333,7 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     ring = LineString(np.vstack([points, points[:1]]))
     # the wall is cut climb; the plug lies on the other side, so that its laps go the other way
     there = np.vstack([points[:1], points[:0:-1]])
-    slot = Slot(there, slot_bite(request))
+    slot = replace(slot, ring=there)
     return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
 
 

@@ -16,6 +16,7 @@ from shapes import lifts
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan, planner
+from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.linking import Motion, link_times
 from freecad_spiralpocket.engine.model import Cutting, Plan, Strategy
 from freecad_spiralpocket.engine.toolpath import Kind, Role
@@ -152,6 +153,24 @@ def test_slot_hardly_wider_than_the_cutter_is_cut(width):
     assert result.report.uncut_area < 0.01
     assert result.report.gouge <= 0.01
     assert lifts(result) == 1
+
+
+def test_hole_in_which_the_cutter_can_only_plunge_is_refused():
+    with pytest.raises(CutterDoesNotFitError, match="no room for its helix"):
+        planned(Point(0, 0).buffer(3.05, quad_segs=64))
+
+
+@pytest.mark.parametrize("pocket", [Point(0, 0).buffer(3.4), box(0, 0, 8, 8)], ids=["hole", "room"])
+def test_way_down_in_a_room_hardly_wider_than_the_cutter_is_no_steeper(pocket):
+    path = planned(pocket).toolpath
+    in_stock = (path.roles == Role.ENTRY) & (path.starts[:, 2] <= 1e-9)
+    drop = (path.starts - path.points)[in_stock, 2]
+    assert (drop <= path.lengths[in_stock] * math.sin(math.radians(5)) * 1.01).all()
+
+
+def test_extended_archimedean_refuses_a_slot_that_has_no_middle_line():
+    with pytest.raises(CutterDoesNotFitError):
+        plan(make_request(box(0, 0, 30, 6.1), strategy=Strategy.EXTENDED_ARCHIMEDEAN))
 
 
 def test_the_time_of_a_way_of_two_points_is_told():

@@ -112,6 +112,19 @@ def test_slot_sinks_by_its_bite_a_loop_and_ends_flat_where_its_ring_begins(depth
     np.testing.assert_allclose(toolpath.points[-1], [*ring[0], -depth], atol=1e-9)
 
 
+@pytest.mark.parametrize("width", [0.5, 2.0, 4.0])
+def test_slot_shorter_than_its_ramps_is_no_steeper(width):
+    ring = np.array(box(0, 0, width, width).exterior.coords)[:-1][::-1]
+    slot, angle = Slot(ring, 1.8), math.radians(5)
+    builder = ToolpathBuilder((*entry_start(slot, angle, 0.0, -5.0), 0.5))
+    cut_entry(builder, slot, angle, 0.0, -5.0, FEEDS, 0.004)
+    toolpath = builder.build()
+    drop = toolpath.starts[:, 2] - toolpath.points[:, 2]
+    flat = np.hypot(*(toolpath.points - toolpath.starts)[:, :2].T)
+    assert (drop[1:] <= flat[1:] * math.tan(angle) + 1e-9).all() and (drop >= -1e-12).all()
+    np.testing.assert_allclose(toolpath.points[-1], [*ring[0], -5.0], atol=1e-9)
+
+
 def test_ramp_feed_keeps_both_feeds():
     assert ramp_feed(FEEDS, math.radians(5)) == FEEDS.horizontal
     steep = math.radians(30)
