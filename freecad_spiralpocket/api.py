@@ -62,6 +62,8 @@ def add_spiral_pocket(
     _check_values(values)
     if getattr(job, "Operations", None) is None or getattr(job, "Tools", None) is None:
         raise SetupError(f"{getattr(job, 'Label', job)} is not a CAM job.", "Create a job first.")
+    if job.Stock is None:
+        raise SetupError(f"{job.Label} has no stock.", "Set one up in the job's editor.")
     links = _links(job, base)
     controller = _tool_controller(job, tool_controller)
     with _unchanged_on_error(job):
@@ -77,7 +79,7 @@ def add_spiral_pocket(
 
 
 def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args: str = "") -> str:
-    """Post-process all active operations of a job into one file.
+    """Compute what has changed, and post-process all active operations of a job into one file.
 
     Parameters
     ----------
@@ -98,8 +100,12 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
     Raises
     ------
     SetupError
-        If there is no such post-processor, it wrote nothing, or the file cannot be written.
+        If an active spiral pocket has no path, or none of the operations has one; if there is no
+        such post-processor, it fails or writes nothing; or if the file cannot be written.
     """
+    if any("Touched" in op.State for op in job.Operations.Group):
+        job.Document.recompute()
+    _check_paths(job)
     with compat.active_document(job.Document):
         try:
             gcode = compat.post_process(job, post, args)
@@ -110,8 +116,7 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
             ) from error
         except RuntimeError as error:
             raise SetupError(
-                f"The post-processor {post} wrote nothing.",
-                "Check its arguments, and that the job has an active operation.",
+                f"The post-processor {post} made no program: {error}.", "Check its arguments."
             ) from error
     try:
         Path(path).write_text(gcode, encoding="utf-8")
@@ -120,6 +125,20 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
             f"Cannot write {path}: {error.strerror}.", "Choose another file."
         ) from error
     return gcode
+
+
+def _check_paths(job: Any) -> None:
+    """Refuse to write a program that would do nothing, or leave a pocket out."""
+    active = [op for op in job.Operations.Group if getattr(op, "Active", True)]
+    for op in active:
+        proxy = getattr(op, "Proxy", None)
+        if isinstance(proxy, operation.ObjectSpiralPocket) and not compat.has_motion(op.Path):
+            why = next(iter(op.Notices), "It was not computed.")
+            raise SetupError(
+                f"{op.Label} has no path. {why}", "Mend it, or unset Active to do without it."
+            )
+    if not any(compat.has_motion(op.Path) for op in active):
+        raise SetupError(f"No active operation of {job.Label} has a path.", "Add one to the job.")
 
 
 def _check_values(values: dict[str, Any]) -> None:
@@ -149,18 +168,38 @@ def _links(
     job: Any, base: Iterable[tuple[Any, str | Sequence[str]]]
 ) -> list[tuple[Any, tuple[str, ...]]]:
     """Return `base` with the job's own copies in place of the original parts."""
-    own = {job.Proxy.baseObject(job, m).Name: m for m in job.Model.Group}
-    own |= {m.Name: m for m in job.Model.Group}
+    own = {m.Name: m for m in job.Model.Group}
+    own |= {_original(job, m).Name: m for m in job.Model.Group}
     links = []
-    for model, names in base or ():
+    for pair in base or ():
+        model, names = pair if isinstance(pair, tuple) and len(pair) == 2 else (pair, None)
+        names = (names,) if isinstance(names, str) else names
+        if not isinstance(names, Sequence) or not all(isinstance(name, str) for name in names):
+            raise SelectionError(
+                "The floors are not given as parts with names of faces.",
+                'Give a list such as [(part, ["Face12", "Face15"])].',
+            )
+        if not hasattr(model, "Shape"):
+            raise SelectionError(
+                f"{model} is no part whose faces could be cut.",
+                "Give an object of the document; getObject finds it by its name, not its label.",
+            )
         if model.Name not in own:
             raise SelectionError(
                 f"{model.Label} is not part of {job.Label}.", "Add it to the job's model first."
             )
-        links.append((own[model.Name], (names,) if isinstance(names, str) else tuple(names)))
+        links.append((own[model.Name], tuple(names)))
     if not any(names for _, names in links):
         raise SelectionError("No face is selected.", "Name the floor of at least one pocket.")
     return links
+
+
+def _original(job: Any, model: Any) -> Any:
+    """Return the part of which a model of the job is a copy, or the model if that is gone."""
+    try:
+        return job.Proxy.baseObject(job, model)
+    except IndexError:
+        return model
 
 
 def _tool_controller(job: Any, wanted: Any) -> Any:
@@ -172,11 +211,13 @@ def _tool_controller(job: Any, wanted: Any) -> Any:
         )
     if wanted is None:
         used = [getattr(op, "ToolController", None) for op in job.Operations.Group]
-        return next((tc for tc in reversed(used) if tc in controllers), controllers[0])
+        wanted = next((tc for tc in reversed(used) if tc in controllers), controllers[0])
     if wanted not in controllers:
         raise SetupError(
             f"{wanted.Label} is not a tool controller of {job.Label}.", "Add it to the job first."
         )
+    if wanted.Tool is None:
+        raise SetupError(f"{wanted.Label} has no tool.", "Put an end mill into it.")
     return wanted
 
 

@@ -18,6 +18,8 @@ from .model import FeedPlan, PocketRequest
 NESTED = 0.01
 #: Largest tolerance, over D.
 COARSEST = 0.05
+#: A pocket or a slot is cut in no more levels.
+MOST_LEVELS = 500
 
 
 def check_request(request: PocketRequest) -> None:
@@ -65,7 +67,15 @@ def _check_numbers(request: PocketRequest) -> None:
     if not 0 < request.entry.helix_angle < math.pi / 2:
         raise RequestError(
             f"A helix angle of {math.degrees(request.entry.helix_angle):g} degrees cannot be cut.",
-            "Set HelixAngle between 1 and 30 degrees; 5 is usual.",
+            "Set HelixAngle above 0 and below 90 degrees; 5 is usual.",
+        )
+    if not request.entry.slot_bite >= 0:
+        raise RequestError("The slot bite is negative.", "Set SlotBite to 0 to have it found.")
+    if request.axial_depth > MOST_LEVELS * request.entry.slot_bite > 0:
+        raise RequestError(
+            f"With a slot bite of {request.entry.slot_bite:g} mm a slot has more than "
+            f"{MOST_LEVELS} levels.",
+            "Raise SlotBite, or set it to 0 to have it found.",
         )
     if not request.entry.max_diameter >= 0:
         raise RequestError(
@@ -122,6 +132,11 @@ def _check_heights(request: PocketRequest) -> None:
     if not h.step_down > 0:
         raise RequestError(
             f"A step down of {h.step_down:g} mm never reaches the floor.", "Set StepDown above 0."
+        )
+    if h.start_depth - floor > MOST_LEVELS * h.step_down:
+        raise RequestError(
+            f"A step down of {h.step_down:g} mm makes more than {MOST_LEVELS} levels.",
+            "Raise StepDown.",
         )
     if not 0 <= h.finish_depth <= h.step_down:
         raise RequestError(

@@ -152,11 +152,14 @@ def _start_notices(toolpath: Toolpath, request: PocketRequest) -> list[Notice]:
     off = float(np.hypot(*(down - asked)))
     if off <= request.tool_diameter:
         return []
+    hint = "The strategy Automatic begins anywhere with room for a helix."
+    if request.strategy is Strategy.AUTOMATIC:
+        hint = "Set StartPoint where a helix has room, or near the slot along the wall."
     return [
         Notice(
             f"The cutter goes down at {{at}}, {off:.0f} mm from the start point: that is as near "
             f"as {request.strategy.value} can begin.",
-            "The strategy Automatic begins anywhere with room for a helix.",
+            hint,
             (float(down[0]), float(down[1])),
         )
     ]

@@ -53,6 +53,7 @@ __all__ = [
     "active_document",
     "add_tool_controller",
     "evaluate_constants",
+    "has_motion",
     "operation_property",
     "parent_job",
     "post_process",
@@ -66,6 +67,10 @@ STALE_ELEMENT_ERRORS = (Part.OCCError, ValueError, IndexError)
 
 #: A post must not open its editor window.
 _QUIET = "--no-show-editor"
+#: No program is shorter.
+LEAST_LINES = 3
+#: Commands that move the cutter.
+MOTION = ("G0", "G1", "G2", "G3", "G00", "G01", "G02", "G03", "G81", "G82", "G83", "G73", "G85")
 
 
 def parent_job(obj: Any) -> Any:
@@ -155,33 +160,53 @@ def post_process(job: Any, post: str, args: str) -> str:
     LookupError
         If there is no such post-processor.
     RuntimeError
-        If the post-processor wrote nothing.
+        If the post-processor failed, or wrote no program.
     """
     if not post.isidentifier():
         raise LookupError(post)
     words = args if _QUIET in args else f"{args} {_QUIET}".strip()
-    sections = _export_legacy(job, post, words) if IS_LEGACY else _export(job, post, words)
+    try:
+        with _kept(job, "SplitOutput", False):  # else each piece would end the program
+            sections = _export_legacy(job, post, words) if IS_LEGACY else _export(job, post, words)
+    except LookupError:
+        raise
+    except SystemExit as error:  # argparse, which has told on the console what it dislikes
+        raise RuntimeError("it does not know its arguments") from error
+    except Exception as error:
+        raise RuntimeError(f"{type(error).__name__}, {error}") from error
     text = "\n".join(s for s in sections if s)
-    if not text.strip():
-        raise RuntimeError(f"the post-processor {post} wrote nothing")
+    if len(text.split("\n")) < LEAST_LINES:
+        raise RuntimeError("it wrote nothing")
     return text
+
+
+def has_motion(path: Any) -> bool:
+    """Return whether a path moves anything."""
+    return any(c.Name in MOTION for c in path.Commands)
+
+
+@contextmanager
+def _kept(obj: Any, name: str, value: Any) -> Iterator[None]:
+    """Set a property for a while, and leave no trace of that."""
+    before, was_touched = getattr(obj, name), "Touched" in obj.State
+    setattr(obj, name, value)
+    try:
+        yield
+    finally:
+        setattr(obj, name, before)
+        if not was_touched:
+            obj.purgeTouched()
 
 
 def _export(job: Any, post: str, args: str) -> list[str]:
     """Post with the factory of 1.0 and later, which takes its arguments from the job."""
     from Path.Post.Processor import PostProcessorFactory
 
-    before, was_touched = job.PostProcessorArgs, "Touched" in job.State
-    job.PostProcessorArgs = args
-    try:
+    with _kept(job, "PostProcessorArgs", args):
         processor = PostProcessorFactory.get_post_processor(job, post)
         if processor is None:
             raise LookupError(post)
         return [gcode for _, gcode in processor.export() or []]
-    finally:
-        job.PostProcessorArgs = before
-        if not was_touched:
-            job.purgeTouched()
 
 
 def _export_legacy(job: Any, post: str, args: str) -> list[str]:

@@ -179,6 +179,8 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
             raise SetupError(f"{obj.Label} is not in a job.", "Drag it into the job's operations.")
         if not job.Model.Group:
             raise SetupError(f"{job.Label} has no model.", "Add the part to the job's model.")
+        if job.Stock is None:
+            raise SetupError(f"{job.Label} has no stock.", "Set one up in the job's editor.")
         tool_controller = obj.ToolController
         if tool_controller is None:
             raise SetupError(

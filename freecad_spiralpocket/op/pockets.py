@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 from ..engine import plan as plan_pocket
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Notice, Plan, PocketRequest, Progress
-from . import commands, open_sides, remarks, request, rest, sections, selection, walls
+from . import commands, open_sides, remarks, request, rest, seams, sections, selection, walls
 from .compat import parent_job
 
 #: Share of the operation's tolerance that goes into the chords of curved walls; the rest is
@@ -63,13 +63,14 @@ class Pockets:
         self._earlier = earlier
         self._notices: list[Notice] = []
         self._failures: dict[str, tuple[SpiralPocketError, list[str]]] = {}
-        self._selected = selection.selected(obj.Base)
         self._deepest = min(selection.heights(obj.Base), default=0.0)
         self._overhung: dict[str, float] = {}
         self.plans: list[Plan] = []
+        groups = seams.groups(selection.selected(obj.Base))
+        self._selected = [floor for group in groups for floor in self._floors_of(*group)]
 
     def requests(self) -> list[Found]:
-        """Return for each selected face its floor and request, or None and what is the matter."""
+        """Return for each selected floor it and its request, or None and what is the matter."""
         floors = [self._floor(*face) for face in self._selected]
         sound = [f for f in floors if isinstance(f, selection.Floor)]
         found: list[Found] = []
@@ -100,7 +101,7 @@ class Pockets:
         for (floor, _), outcome, face in zip(found, outcomes, self._selected, strict=True):
             if isinstance(outcome, SpiralPocketError):
                 labels = self._failures.setdefault(str(outcome), (outcome, []))[1]
-                labels.append(selection.label(*face))
+                labels.append(selection.label(face[0], ", ".join(face[1])))
             else:
                 self._take(floor, outcome)
 
@@ -162,13 +163,19 @@ class Pockets:
             )
         ]
 
-    def _floor(self, model: Any, name: str) -> selection.Floor | SpiralPocketError:
-        """Return the floor that a face is, or why it is none."""
-        key = (model.Name, name, model.Shape.hashCode())
+    def _floors_of(self, model: Any, names: Sequence[str]) -> list[tuple[Any, Sequence[str]]]:
+        """Return faces that meet as one floor, each alone where they are only a part of one."""
+        if len(names) == 1 or isinstance(self._floor(model, names), selection.Floor):
+            return [(model, names)]
+        return [(model, [name]) for name in names]
+
+    def _floor(self, model: Any, names: Sequence[str]) -> selection.Floor | SpiralPocketError:
+        """Return the floor that faces are, or why they are none."""
+        key = (model.Name, tuple(names), model.Shape.hashCode())
         if key not in self._known:
             try:
                 self._known[key] = selection.floor(
-                    model, name, self._known.setdefault("neighbors", {})
+                    model, names, self._known.setdefault("neighbors", {})
                 )
             except SpiralPocketError as error:
                 return error

@@ -27,7 +27,14 @@ def depths(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
     """
     stock, found = parent_job(obj).Stock.Shape.BoundBox, []
     below, through = floor - wanted.floor, stock.ZMin - wanted.floor
-    if through > SAME_HEIGHT:
+    if through > SAME_HEIGHT and below <= SAME_HEIGHT:
+        found.append(
+            Notice(
+                f"The selected floor lies {through:.3g} mm below the stock.",
+                "Look whether the stock is where it should be.",
+            )
+        )
+    elif through > SAME_HEIGHT:
         found.append(
             Notice(
                 f"The cutter goes {below:.3g} mm below the selected floor, {through:.3g} mm of "
@@ -64,7 +71,7 @@ def depths(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
 
 
 def tool(controller: Any, depth: float) -> list[Notice]:
-    """Tell of levels deeper [mm] than the cutting edge is long, and of a spindle that runs back."""
+    """Tell of levels deeper than the cutting edge [mm], of a spindle that stands or runs back."""
     edge = getattr(controller.Proxy.getTool(controller), "CuttingEdgeHeight", None)
     length, found = float(edge or 0.0), []
     if 0 < length < depth - SAME_HEIGHT:
@@ -72,6 +79,13 @@ def tool(controller: Any, depth: float) -> list[Notice]:
             Notice(
                 f"Levels are {depth:.3g} mm deep, the tool's cutting edge is {length:.3g} mm long.",
                 "Lower StepDown, or take a longer tool.",
+            )
+        )
+    if controller.SpindleSpeed <= 0:
+        found.append(
+            Notice(
+                f"The spindle speed of {controller.Label} is 0; the program does not start it.",
+                "Set it in the tool controller, unless you start the spindle by hand.",
             )
         )
     if controller.SpindleDir == "Reverse":

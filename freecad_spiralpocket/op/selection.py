@@ -12,7 +12,7 @@ wrong: an L-shaped side face of a boss is higher than the floor around it, and l
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,12 +20,12 @@ import FreeCAD
 import Part
 
 from ..engine.errors import SelectionError
+from . import seams
 from .compat import STALE_ELEMENT_ERRORS
+from .seams import SAME_HEIGHT
 
 #: A floor may be out of level by this much [rad]: drawings are exact, IGES files are not.
 LEVEL_TOLERANCE = 1e-4
-#: Heights closer than this are the same [mm].
-SAME_HEIGHT = 1e-4
 #: Smaller parts of a normal are taken as tangent.
 _TANGENT = 1e-3
 #: Step from an edge into the floor [mm].
@@ -87,7 +87,7 @@ class Floor:
     model : object
         FreeCAD's document object, as the operation refers to it.
     name : str
-        Of the face, such as "Face12".
+        Of the face, such as "Face12", or of the faces that make it.
     face, solid : Part.Face, Part.Solid
     z : float
         Height of the floor [mm].
@@ -114,7 +114,7 @@ class Floor:
 def label(model: Any, name: str) -> str:
     """Return what the user calls a face: by the part, where `model` is the job's copy of it."""
     part = next(iter(getattr(model, "Objects", ())), model)
-    return f"{part.Label}, {name.lstrip('?')}"
+    return f"{part.Label}, {name.replace('?', '')}"
 
 
 def selected(base: list[tuple[Any, Any]]) -> list[tuple[Any, str]]:
@@ -135,12 +135,15 @@ def selected(base: list[tuple[Any, Any]]) -> list[tuple[Any, str]]:
     return list(pairs.values())
 
 
-def floor(model: Any, name: str, known: dict[int, Neighbors] | None = None) -> Floor:
-    """Return the floor that the face `name` of `model` is.
+def floor(
+    model: Any, names: str | Sequence[str], known: dict[int, Neighbors] | None = None
+) -> Floor:
+    """Return the floor that one face of `model` is, or several that meet.
 
     Parameters
     ----------
-    model, name : object, str
+    model : object
+    names : str or sequence of str
     known : dict, optional
         Neighbors of solids by their hash code; is added to.
 
@@ -149,19 +152,33 @@ def floor(model: Any, name: str, known: dict[int, Neighbors] | None = None) -> F
     SelectionError
         If it is no face, not there, or not the floor of a pocket in a closed solid.
     """
-    face = _element(model, name)
-    where = label(model, name)
-    if face.ShapeType != "Face":
-        raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
-    _check_level(face, where)
-    solid, neighbors = _solid_of(model.Shape, face, where, {} if known is None else known)
+    names = [names] if isinstance(names, str) else names
+    known = {} if known is None else known
+    where = label(model, ", ".join(names))
+    faces = [_element(model, name) for name in names]
+    for face in faces:
+        if face.ShapeType != "Face":
+            raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
+        _check_level(face, where)
+    face = faces[0]
+    solid, neighbors = _solid_of(model.Shape, face, where, known)
+    if len(faces) > 1:
+        whole = seams.joined(solid, faces)
+        if whole is None:
+            raise SelectionError(
+                f"{where} meet, but do not make one floor.",
+                "Refine the part (Part workbench, Refine Shape), or select one of them.",
+            )
+        solid, face = whole
+        neighbors = Neighbors(solid)
     edges = face.OuterWire.Edges
     walled = sum(wall_rises(neighbors, face, e) for e in edges)
     if not walled and not any(wall_rises(neighbors, face, e) for e in face.Edges):
         raise SelectionError(
             f"{where} is not the floor of a pocket: no wall rises from it.", _PICK_A_FLOOR
         )
-    return Floor(model, name, face, solid, face.BoundBox.ZMin, len(edges) - walled, neighbors)
+    open_edges = len(edges) - walled
+    return Floor(model, ", ".join(names), face, solid, face.BoundBox.ZMin, open_edges, neighbors)
 
 
 def heights(base: list[tuple[Any, Any]]) -> list[float]:

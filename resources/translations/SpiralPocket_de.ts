@@ -587,6 +587,10 @@
         <translation>Eine kleinere Zustellung kann ihn räumen.</translation>
     </message>
     <message>
+        <source>A step down of {0} mm makes more than {1} levels.</source>
+        <translation>Eine Tiefenzustellung von {0} mm ergibt mehr als {1} Ebenen.</translation>
+    </message>
+    <message>
         <source>A step down of {0} mm never reaches the floor.</source>
         <translation>Mit {0} mm Tiefenzustellung wird der Boden nie erreicht.</translation>
     </message>
@@ -743,6 +747,10 @@
         <translation>Nachsehen, was unter dem Rohteil liegt, oder FinalDepth anheben.</translation>
     </message>
     <message>
+        <source>Look whether the stock is where it should be.</source>
+        <translation>Nachsehen, ob das Rohteil liegt, wo es soll.</translation>
+    </message>
+    <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>FinishDepth verringern oder StepDown vergrößern.</translation>
     </message>
@@ -799,8 +807,16 @@
         <translation>FinalDepth oder ZStockToLeave anheben, wenn das nicht gemeint ist.</translation>
     </message>
     <message>
+        <source>Raise SlotBite, or set it to 0 to have it found.</source>
+        <translation>SlotBite anheben oder auf 0 setzen, damit er bestimmt wird.</translation>
+    </message>
+    <message>
         <source>Raise StartDepth to the top of the stock, or clear it with an operation before.</source>
         <translation>StartDepth auf die Oberseite des Rohteils anheben oder es vorher mit einer Operation räumen.</translation>
+    </message>
+    <message>
+        <source>Raise StepDown.</source>
+        <translation>StepDown anheben.</translation>
     </message>
     <message>
         <source>Raise StockToLeave if that is not meant.</source>
@@ -813,6 +829,10 @@
     <message>
         <source>Recompute this operation when they change.</source>
         <translation>Diese Operation neu berechnen, wenn jene sich ändern.</translation>
+    </message>
+    <message>
+        <source>Refine the part (Part workbench, Refine Shape), or select one of them.</source>
+        <translation>Das Teil bereinigen (Arbeitsbereich Part, Form aufbereiten) oder eine davon wählen.</translation>
     </message>
     <message>
         <source>Remove it from the base geometry and select the floor of the pocket again.</source>
@@ -847,8 +867,8 @@
         <translation>ExtendOpenSides einschalten oder diese Seite mit einer anderen Operation räumen.</translation>
     </message>
     <message>
-        <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
-        <translation>HelixAngle zwischen 1 und 30 Grad setzen; üblich sind 5.</translation>
+        <source>Set HelixAngle above 0 and below 90 degrees; 5 is usual.</source>
+        <translation>HelixAngle über 0 und unter 90 Grad setzen; üblich sind 5.</translation>
     </message>
     <message>
         <source>Set HelixDiameterLimit to 0 for no limit.</source>
@@ -867,6 +887,10 @@
         <translation>MaxFeedRatio auf mindestens 1 setzen; üblich sind 2.</translation>
     </message>
     <message>
+        <source>Set SlotBite to 0 to have it found.</source>
+        <translation>SlotBite auf 0 setzen, damit er bestimmt wird.</translation>
+    </message>
+    <message>
         <source>Set SlowdownPercent between 1 and 100; 75 is usual.</source>
         <translation>SlowdownPercent zwischen 1 und 100 setzen; üblich sind 75.</translation>
     </message>
@@ -877,6 +901,10 @@
     <message>
         <source>Set StartPoint inside one, or do without.</source>
         <translation>StartPoint in eine setzen oder darauf verzichten.</translation>
+    </message>
+    <message>
+        <source>Set StartPoint where a helix has room, or near the slot along the wall.</source>
+        <translation>StartPoint dorthin setzen, wo eine Helix Platz hat, oder nahe an die Nut entlang der Wand.</translation>
     </message>
     <message>
         <source>Set StartPoint, or do without.</source>
@@ -899,12 +927,20 @@
         <translation>Tolerance auf höchstens {0} mm setzen; üblich sind 0.01 mm.</translation>
     </message>
     <message>
+        <source>Set it in the tool controller, unless you start the spindle by hand.</source>
+        <translation>Im Werkzeugcontroller setzen, wenn die Spindel nicht von Hand gestartet wird.</translation>
+    </message>
+    <message>
         <source>Set it in the tool of the tool controller.</source>
         <translation>Im Werkzeug der Werkzeugsteuerung einstellen.</translation>
     </message>
     <message>
         <source>Set it to 0 for none.</source>
         <translation>Auf 0 setzen für keines.</translation>
+    </message>
+    <message>
+        <source>Set one up in the job's editor.</source>
+        <translation>Im Editor des Auftrags eines anlegen.</translation>
     </message>
     <message>
         <source>Set the feeds in the tool controller.</source>
@@ -1091,12 +1127,24 @@
         <translation>Die Wand der Tasche bei {at} ist für Lineares Morphen zu zackig oder zu eng.</translation>
     </message>
     <message>
+        <source>The selected floor lies {0} mm below the stock.</source>
+        <translation>Der gewählte Boden liegt {0} mm unter dem Rohteil.</translation>
+    </message>
+    <message>
+        <source>The slot bite is negative.</source>
+        <translation>Der Tiefenschritt der Nut ist negativ.</translation>
+    </message>
+    <message>
         <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
         <translation>Der verlangsamte Vorschub von {0} Prozent liegt nicht zwischen 0 und 100 Prozent.</translation>
     </message>
     <message>
         <source>The spindle runs in reverse; what CutMode calls climb is conventional then.</source>
         <translation>Die Spindel läuft rückwärts; was CutMode Gleichlauf nennt, ist dann Gegenlauf.</translation>
+    </message>
+    <message>
+        <source>The spindle speed of {0} is 0; the program does not start it.</source>
+        <translation>Die Spindeldrehzahl von {0} ist 0; das Programm startet sie nicht.</translation>
     </message>
     <message>
         <source>The start point at {at} lies in none of the pockets.</source>
@@ -1167,6 +1215,10 @@
         <translation>An nicht senkrechten Wänden bleiben Stufen bis {0} mm Breite und {1} mm Höhe, die breiteste bei {at}.</translation>
     </message>
     <message>
+        <source>With a slot bite of {0} mm a slot has more than {1} levels.</source>
+        <translation>Mit einem Tiefenschritt von {0} mm hat eine Nut mehr als {1} Ebenen.</translation>
+    </message>
+    <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>Mit {0} mm Aufmaß am Boden bleibt nichts zu fräsen.</translation>
     </message>
@@ -1185,6 +1237,10 @@
     <message>
         <source>{0} has no model.</source>
         <translation>{0} hat kein Modell.</translation>
+    </message>
+    <message>
+        <source>{0} has no stock.</source>
+        <translation>{0} hat kein Rohteil.</translation>
     </message>
     <message>
         <source>{0} has no tool controller.</source>
@@ -1241,6 +1297,10 @@
     <message>
         <source>{0} looks down.</source>
         <translation>{0} zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>{0} meet, but do not make one floor.</source>
+        <translation>{0} grenzen aneinander, bilden aber keinen gemeinsamen Boden.</translation>
     </message>
     <message>
         <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>

@@ -587,6 +587,10 @@
         <translation>Un paso lateral menor puede vaciarlo.</translation>
     </message>
     <message>
+        <source>A step down of {0} mm makes more than {1} levels.</source>
+        <translation>Una bajada de {0} mm da más de {1} niveles.</translation>
+    </message>
+    <message>
         <source>A step down of {0} mm never reaches the floor.</source>
         <translation>Con una pasada de {0} mm nunca se llega al fondo.</translation>
     </message>
@@ -743,6 +747,10 @@
         <translation>Mire qué hay debajo del material, o suba FinalDepth.</translation>
     </message>
     <message>
+        <source>Look whether the stock is where it should be.</source>
+        <translation>Mire si el material está donde debe.</translation>
+    </message>
+    <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>Reduzca FinishDepth o aumente StepDown.</translation>
     </message>
@@ -799,8 +807,16 @@
         <translation>Suba FinalDepth o ZStockToLeave si no es lo que se quiere.</translation>
     </message>
     <message>
+        <source>Raise SlotBite, or set it to 0 to have it found.</source>
+        <translation>Suba SlotBite, o póngalo a 0 para que se determine.</translation>
+    </message>
+    <message>
         <source>Raise StartDepth to the top of the stock, or clear it with an operation before.</source>
         <translation>Suba StartDepth a la cara superior del material, o vacíelo antes con otra operación.</translation>
+    </message>
+    <message>
+        <source>Raise StepDown.</source>
+        <translation>Suba StepDown.</translation>
     </message>
     <message>
         <source>Raise StockToLeave if that is not meant.</source>
@@ -813,6 +829,10 @@
     <message>
         <source>Recompute this operation when they change.</source>
         <translation>Recalcule esta operación cuando aquellas cambien.</translation>
+    </message>
+    <message>
+        <source>Refine the part (Part workbench, Refine Shape), or select one of them.</source>
+        <translation>Refine la pieza (banco Part, Refinar forma), o elija una de ellas.</translation>
     </message>
     <message>
         <source>Remove it from the base geometry and select the floor of the pocket again.</source>
@@ -847,8 +867,8 @@
         <translation>Active ExtendOpenSides, o vacíe ese lado con otra operación.</translation>
     </message>
     <message>
-        <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
-        <translation>Ponga HelixAngle entre 1 y 30 grados; lo usual es 5.</translation>
+        <source>Set HelixAngle above 0 and below 90 degrees; 5 is usual.</source>
+        <translation>Ponga HelixAngle por encima de 0 y por debajo de 90 grados; lo habitual es 5.</translation>
     </message>
     <message>
         <source>Set HelixDiameterLimit to 0 for no limit.</source>
@@ -867,6 +887,10 @@
         <translation>Ponga MaxFeedRatio en 1 o más; lo usual es 2.</translation>
     </message>
     <message>
+        <source>Set SlotBite to 0 to have it found.</source>
+        <translation>Ponga SlotBite a 0 para que se determine.</translation>
+    </message>
+    <message>
         <source>Set SlowdownPercent between 1 and 100; 75 is usual.</source>
         <translation>Ponga SlowdownPercent entre 1 y 100; lo usual es 75.</translation>
     </message>
@@ -877,6 +901,10 @@
     <message>
         <source>Set StartPoint inside one, or do without.</source>
         <translation>Ponga StartPoint dentro de una o prescinda de él.</translation>
+    </message>
+    <message>
+        <source>Set StartPoint where a helix has room, or near the slot along the wall.</source>
+        <translation>Ponga StartPoint donde quepa una hélice, o cerca de la ranura a lo largo de la pared.</translation>
     </message>
     <message>
         <source>Set StartPoint, or do without.</source>
@@ -899,12 +927,20 @@
         <translation>Ponga Tolerance a {0} mm como máximo; lo habitual es 0.01 mm.</translation>
     </message>
     <message>
+        <source>Set it in the tool controller, unless you start the spindle by hand.</source>
+        <translation>Póngala en el controlador de herramienta, salvo que arranque el husillo a mano.</translation>
+    </message>
+    <message>
         <source>Set it in the tool of the tool controller.</source>
         <translation>Póngalo en la herramienta del controlador.</translation>
     </message>
     <message>
         <source>Set it to 0 for none.</source>
         <translation>Ponga 0 para ninguno.</translation>
+    </message>
+    <message>
+        <source>Set one up in the job's editor.</source>
+        <translation>Cree uno en el editor del trabajo.</translation>
     </message>
     <message>
         <source>Set the feeds in the tool controller.</source>
@@ -1091,12 +1127,24 @@
         <translation>La pared de la cajera cerca de {at} es demasiado dentada o estrecha para Transición lineal.</translation>
     </message>
     <message>
+        <source>The selected floor lies {0} mm below the stock.</source>
+        <translation>El fondo elegido está {0} mm por debajo del material.</translation>
+    </message>
+    <message>
+        <source>The slot bite is negative.</source>
+        <translation>La profundidad por pasada de la ranura es negativa.</translation>
+    </message>
+    <message>
         <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
         <translation>El avance reducido del {0} por ciento no está entre 0 y 100.</translation>
     </message>
     <message>
         <source>The spindle runs in reverse; what CutMode calls climb is conventional then.</source>
         <translation>El husillo gira al revés; lo que CutMode llama en concordancia es entonces en oposición.</translation>
+    </message>
+    <message>
+        <source>The spindle speed of {0} is 0; the program does not start it.</source>
+        <translation>La velocidad del husillo de {0} es 0; el programa no lo arranca.</translation>
     </message>
     <message>
         <source>The start point at {at} lies in none of the pockets.</source>
@@ -1167,6 +1215,10 @@
         <translation>Las paredes no verticales conservan escalones de hasta {0} mm de ancho y {1} mm de alto, el más ancho en {at}.</translation>
     </message>
     <message>
+        <source>With a slot bite of {0} mm a slot has more than {1} levels.</source>
+        <translation>Con una profundidad de pasada de {0} mm una ranura tiene más de {1} niveles.</translation>
+    </message>
+    <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>Con {0} mm de sobrematerial en el fondo no queda nada que cortar.</translation>
     </message>
@@ -1185,6 +1237,10 @@
     <message>
         <source>{0} has no model.</source>
         <translation>{0} no tiene modelo.</translation>
+    </message>
+    <message>
+        <source>{0} has no stock.</source>
+        <translation>{0} no tiene material.</translation>
     </message>
     <message>
         <source>{0} has no tool controller.</source>
@@ -1241,6 +1297,10 @@
     <message>
         <source>{0} looks down.</source>
         <translation>{0} mira hacia abajo.</translation>
+    </message>
+    <message>
+        <source>{0} meet, but do not make one floor.</source>
+        <translation>{0} se tocan, pero no forman un solo fondo.</translation>
     </message>
     <message>
         <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>

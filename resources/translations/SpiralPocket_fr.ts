@@ -587,6 +587,10 @@
         <translation>Un pas latéral plus petit peut l'enlever.</translation>
     </message>
     <message>
+        <source>A step down of {0} mm makes more than {1} levels.</source>
+        <translation>Une descente de {0} mm donne plus de {1} niveaux.</translation>
+    </message>
+    <message>
         <source>A step down of {0} mm never reaches the floor.</source>
         <translation>Avec une passe de {0} mm, le fond n'est jamais atteint.</translation>
     </message>
@@ -743,6 +747,10 @@
         <translation>Regardez ce qu'il y a sous le brut, ou relevez FinalDepth.</translation>
     </message>
     <message>
+        <source>Look whether the stock is where it should be.</source>
+        <translation>Vérifiez que le brut est où il doit être.</translation>
+    </message>
+    <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>Diminuez FinishDepth ou augmentez StepDown.</translation>
     </message>
@@ -799,8 +807,16 @@
         <translation>Relevez FinalDepth ou ZStockToLeave si ce n'est pas voulu.</translation>
     </message>
     <message>
+        <source>Raise SlotBite, or set it to 0 to have it found.</source>
+        <translation>Relevez SlotBite, ou réglez-le à 0 pour qu'il soit déterminé.</translation>
+    </message>
+    <message>
         <source>Raise StartDepth to the top of the stock, or clear it with an operation before.</source>
         <translation>Relevez StartDepth au sommet du brut, ou videz-le par une opération avant.</translation>
+    </message>
+    <message>
+        <source>Raise StepDown.</source>
+        <translation>Relevez StepDown.</translation>
     </message>
     <message>
         <source>Raise StockToLeave if that is not meant.</source>
@@ -813,6 +829,10 @@
     <message>
         <source>Recompute this operation when they change.</source>
         <translation>Recalculez cette opération quand elles changent.</translation>
+    </message>
+    <message>
+        <source>Refine the part (Part workbench, Refine Shape), or select one of them.</source>
+        <translation>Affinez la pièce (atelier Part, Affiner la forme), ou choisissez-en une.</translation>
     </message>
     <message>
         <source>Remove it from the base geometry and select the floor of the pocket again.</source>
@@ -847,8 +867,8 @@
         <translation>Activez ExtendOpenSides, ou videz ce côté avec une autre opération.</translation>
     </message>
     <message>
-        <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
-        <translation>Mettez HelixAngle entre 1 et 30 degrés ; 5 est usuel.</translation>
+        <source>Set HelixAngle above 0 and below 90 degrees; 5 is usual.</source>
+        <translation>Réglez HelixAngle au-dessus de 0 et au-dessous de 90 degrés ; 5 est habituel.</translation>
     </message>
     <message>
         <source>Set HelixDiameterLimit to 0 for no limit.</source>
@@ -867,6 +887,10 @@
         <translation>Mettez MaxFeedRatio à 1 ou plus ; 2 est usuel.</translation>
     </message>
     <message>
+        <source>Set SlotBite to 0 to have it found.</source>
+        <translation>Réglez SlotBite à 0 pour qu'il soit déterminé.</translation>
+    </message>
+    <message>
         <source>Set SlowdownPercent between 1 and 100; 75 is usual.</source>
         <translation>Mettez SlowdownPercent entre 1 et 100 ; 75 est usuel.</translation>
     </message>
@@ -877,6 +901,10 @@
     <message>
         <source>Set StartPoint inside one, or do without.</source>
         <translation>Mettez StartPoint dans l'une d'elles, ou passez-vous-en.</translation>
+    </message>
+    <message>
+        <source>Set StartPoint where a helix has room, or near the slot along the wall.</source>
+        <translation>Placez StartPoint où une hélice a de la place, ou près de la rainure le long de la paroi.</translation>
     </message>
     <message>
         <source>Set StartPoint, or do without.</source>
@@ -899,12 +927,20 @@
         <translation>Réglez Tolerance à {0} mm au plus ; 0.01 mm est habituel.</translation>
     </message>
     <message>
+        <source>Set it in the tool controller, unless you start the spindle by hand.</source>
+        <translation>Réglez-la dans le contrôleur d'outil, sauf si vous démarrez la broche à la main.</translation>
+    </message>
+    <message>
         <source>Set it in the tool of the tool controller.</source>
         <translation>Réglez-le dans l'outil du contrôleur d'outil.</translation>
     </message>
     <message>
         <source>Set it to 0 for none.</source>
         <translation>Mettez 0 pour aucune.</translation>
+    </message>
+    <message>
+        <source>Set one up in the job's editor.</source>
+        <translation>Créez-en un dans l'éditeur de la tâche.</translation>
     </message>
     <message>
         <source>Set the feeds in the tool controller.</source>
@@ -1091,12 +1127,24 @@
         <translation>La paroi de la poche près de {at} est trop dentelée ou trop étroite pour le Morphing linéaire.</translation>
     </message>
     <message>
+        <source>The selected floor lies {0} mm below the stock.</source>
+        <translation>Le fond choisi est à {0} mm sous le brut.</translation>
+    </message>
+    <message>
+        <source>The slot bite is negative.</source>
+        <translation>La profondeur de passe de la rainure est négative.</translation>
+    </message>
+    <message>
         <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
         <translation>L'avance ralentie de {0} pour cent n'est pas entre 0 et 100.</translation>
     </message>
     <message>
         <source>The spindle runs in reverse; what CutMode calls climb is conventional then.</source>
         <translation>La broche tourne à l'envers ; ce que CutMode appelle en avalant est alors en opposition.</translation>
+    </message>
+    <message>
+        <source>The spindle speed of {0} is 0; the program does not start it.</source>
+        <translation>La vitesse de broche de {0} est 0 ; le programme ne la démarre pas.</translation>
     </message>
     <message>
         <source>The start point at {at} lies in none of the pockets.</source>
@@ -1167,6 +1215,10 @@
         <translation>Les parois non verticales gardent des marches jusqu'à {0} mm de large et {1} mm de haut, la plus large en {at}.</translation>
     </message>
     <message>
+        <source>With a slot bite of {0} mm a slot has more than {1} levels.</source>
+        <translation>Avec une profondeur de passe de {0} mm une rainure a plus de {1} niveaux.</translation>
+    </message>
+    <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>Avec {0} mm de surépaisseur au fond, il ne reste rien à usiner.</translation>
     </message>
@@ -1185,6 +1237,10 @@
     <message>
         <source>{0} has no model.</source>
         <translation>{0} n'a pas de modèle.</translation>
+    </message>
+    <message>
+        <source>{0} has no stock.</source>
+        <translation>{0} n'a pas de brut.</translation>
     </message>
     <message>
         <source>{0} has no tool controller.</source>
@@ -1241,6 +1297,10 @@
     <message>
         <source>{0} looks down.</source>
         <translation>{0} regarde vers le bas.</translation>
+    </message>
+    <message>
+        <source>{0} meet, but do not make one floor.</source>
+        <translation>{0} se touchent, mais ne forment pas un seul fond.</translation>
     </message>
     <message>
         <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>

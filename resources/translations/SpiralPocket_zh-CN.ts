@@ -587,6 +587,10 @@
         <translation>较小的步距或可清除。</translation>
     </message>
     <message>
+        <source>A step down of {0} mm makes more than {1} levels.</source>
+        <translation>每层下刀 {0} mm 会产生超过 {1} 层。</translation>
+    </message>
+    <message>
         <source>A step down of {0} mm never reaches the floor.</source>
         <translation>下刀步距 {0} mm 永远到不了底。</translation>
     </message>
@@ -743,6 +747,10 @@
         <translation>请检查毛坯下方有什么，或提高 FinalDepth。</translation>
     </message>
     <message>
+        <source>Look whether the stock is where it should be.</source>
+        <translation>请检查毛坯的位置是否正确。</translation>
+    </message>
+    <message>
         <source>Lower FinishDepth or raise StepDown.</source>
         <translation>减小 FinishDepth 或增大 StepDown。</translation>
     </message>
@@ -799,8 +807,16 @@
         <translation>若非本意，请提高 FinalDepth 或 ZStockToLeave。</translation>
     </message>
     <message>
+        <source>Raise SlotBite, or set it to 0 to have it found.</source>
+        <translation>请增大 SlotBite，或设为 0 以自动确定。</translation>
+    </message>
+    <message>
         <source>Raise StartDepth to the top of the stock, or clear it with an operation before.</source>
         <translation>请将 StartDepth 提高到毛坯顶面，或先用其他操作清除。</translation>
+    </message>
+    <message>
+        <source>Raise StepDown.</source>
+        <translation>请增大 StepDown。</translation>
     </message>
     <message>
         <source>Raise StockToLeave if that is not meant.</source>
@@ -813,6 +829,10 @@
     <message>
         <source>Recompute this operation when they change.</source>
         <translation>这些操作改变后请重新计算此操作。</translation>
+    </message>
+    <message>
+        <source>Refine the part (Part workbench, Refine Shape), or select one of them.</source>
+        <translation>请精炼零件（Part 工作台，精炼形状），或只选其中一个。</translation>
     </message>
     <message>
         <source>Remove it from the base geometry and select the floor of the pocket again.</source>
@@ -847,8 +867,8 @@
         <translation>请启用 ExtendOpenSides，或用其他操作清除该侧。</translation>
     </message>
     <message>
-        <source>Set HelixAngle between 1 and 30 degrees; 5 is usual.</source>
-        <translation>将 HelixAngle 设在 1 到 30 度之间；通常为 5。</translation>
+        <source>Set HelixAngle above 0 and below 90 degrees; 5 is usual.</source>
+        <translation>请将 HelixAngle 设为大于 0 且小于 90 度；通常为 5。</translation>
     </message>
     <message>
         <source>Set HelixDiameterLimit to 0 for no limit.</source>
@@ -867,6 +887,10 @@
         <translation>将 MaxFeedRatio 设为 1 或以上；通常为 2。</translation>
     </message>
     <message>
+        <source>Set SlotBite to 0 to have it found.</source>
+        <translation>请将 SlotBite 设为 0 以自动确定。</translation>
+    </message>
+    <message>
         <source>Set SlowdownPercent between 1 and 100; 75 is usual.</source>
         <translation>将 SlowdownPercent 设在 1 到 100 之间；通常为 75。</translation>
     </message>
@@ -877,6 +901,10 @@
     <message>
         <source>Set StartPoint inside one, or do without.</source>
         <translation>将 StartPoint 设在某个型腔内，或不使用起点。</translation>
+    </message>
+    <message>
+        <source>Set StartPoint where a helix has room, or near the slot along the wall.</source>
+        <translation>请将 StartPoint 设在可容纳螺旋进刀之处，或靠近沿壁的槽。</translation>
     </message>
     <message>
         <source>Set StartPoint, or do without.</source>
@@ -899,12 +927,20 @@
         <translation>请将 Tolerance 设为至多 {0} mm；通常为 0.01 mm。</translation>
     </message>
     <message>
+        <source>Set it in the tool controller, unless you start the spindle by hand.</source>
+        <translation>请在刀具控制器中设置，除非您手动启动主轴。</translation>
+    </message>
+    <message>
         <source>Set it in the tool of the tool controller.</source>
         <translation>请在刀具控制器的刀具中设置。</translation>
     </message>
     <message>
         <source>Set it to 0 for none.</source>
         <translation>设为 0 表示无。</translation>
+    </message>
+    <message>
+        <source>Set one up in the job's editor.</source>
+        <translation>请在任务编辑器中设置毛坯。</translation>
     </message>
     <message>
         <source>Set the feeds in the tool controller.</source>
@@ -1091,12 +1127,24 @@
         <translation>{at} 附近的型腔侧壁对“线性渐变”过于参差或过窄。</translation>
     </message>
     <message>
+        <source>The selected floor lies {0} mm below the stock.</source>
+        <translation>所选底面在毛坯以下 {0} mm。</translation>
+    </message>
+    <message>
+        <source>The slot bite is negative.</source>
+        <translation>槽的切深为负。</translation>
+    </message>
+    <message>
         <source>The slowed feed of {0} percent is not between 0 and 100 percent.</source>
         <translation>减速进给 {0} % 不在 0 到 100 % 之间。</translation>
     </message>
     <message>
         <source>The spindle runs in reverse; what CutMode calls climb is conventional then.</source>
         <translation>主轴反转；CutMode 所称的顺铣此时为逆铣。</translation>
+    </message>
+    <message>
+        <source>The spindle speed of {0} is 0; the program does not start it.</source>
+        <translation>{0} 的主轴转速为 0；程序不会启动主轴。</translation>
     </message>
     <message>
         <source>The start point at {at} lies in none of the pockets.</source>
@@ -1167,6 +1215,10 @@
         <translation>非垂直侧壁留有最宽 {0} mm、最高 {1} mm 的台阶，最宽处在 {at}。</translation>
     </message>
     <message>
+        <source>With a slot bite of {0} mm a slot has more than {1} levels.</source>
+        <translation>槽的切深为 {0} mm 时，槽会超过 {1} 层。</translation>
+    </message>
+    <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>底面余量 {0} mm，已无可切材料。</translation>
     </message>
@@ -1185,6 +1237,10 @@
     <message>
         <source>{0} has no model.</source>
         <translation>{0} 没有模型。</translation>
+    </message>
+    <message>
+        <source>{0} has no stock.</source>
+        <translation>{0} 没有毛坯。</translation>
     </message>
     <message>
         <source>{0} has no tool controller.</source>
@@ -1241,6 +1297,10 @@
     <message>
         <source>{0} looks down.</source>
         <translation>{0} 朝下。</translation>
+    </message>
+    <message>
+        <source>{0} meet, but do not make one floor.</source>
+        <translation>{0} 相接，但不构成同一底面。</translation>
     </message>
     <message>
         <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>

@@ -111,6 +111,7 @@ def add_job(doc, *parts, diameter=6.0, feed=1500.0):
 
 def set_feeds(tool_controller, feed):
     """Set all speeds of a tool controller from its horizontal feed [mm/min]."""
+    tool_controller.SpindleSpeed = 12000
     tool_controller.HorizFeed = feed / 60
     tool_controller.VertFeed = feed / 4 / 60
     for name in ("HorizRapid", "VertRapid"):

@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The scripting interface: values, models, tool controllers, G-code."""
 
+import math
+
 import FreeCAD
+import Part
 import pytest
+from FreeCAD import Vector
 from sample_parts import (
     DEPTH,
     QUICK,
@@ -21,7 +25,7 @@ from sample_parts import (
 )
 
 from freecad_spiralpocket import api
-from freecad_spiralpocket.engine.errors import SetupError
+from freecad_spiralpocket.engine.errors import SelectionError, SetupError
 from freecad_spiralpocket.op import compat
 
 INCH = 25.4
@@ -155,3 +159,92 @@ def test_a_file_that_cannot_be_written_is_named(doc, tmp_path):
     api.add_spiral_pocket(job, [(part, [face])], **QUICK)
     with pytest.raises(SetupError, match=r"Cannot write .*part\.nc"):
         api.export(job, tmp_path / "missing" / "part.nc")
+
+
+def test_export_of_what_has_no_path_is_refused(doc, tmp_path):
+    job, part, face = small_job(doc)
+    op = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    job.Tools.Group[0].Tool.Diameter = 40
+    doc.recompute()
+    doc.recompute()
+    with pytest.raises(SetupError, match="has no path. The 40 mm cutter does not fit"):
+        api.export(job, tmp_path / "part.nc")
+    op.Active = False
+    doc.recompute()
+    with pytest.raises(SetupError, match="No active operation"):
+        api.export(job, tmp_path / "part.nc")
+    assert not list(tmp_path.iterdir())
+
+
+def test_export_computes_what_has_changed(doc, tmp_path):
+    job, part, face = small_job(doc)
+    op = api.add_spiral_pocket(job, [(part, [face])], FinalDepth=-4, **QUICK)
+    op.FinalDepth = -3
+    text = api.export(job, tmp_path / "part.nc", args="--no-comments")
+    heights = [float(word[1:]) for word in text.split() if word.startswith("Z")]
+    assert min(heights) == pytest.approx(-3)
+
+
+def test_fixtures_come_into_one_program(doc, tmp_path):
+    job, part, face = small_job(doc)
+    api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    job.Fixtures, job.SplitOutput, job.OrderOutputBy = ["G54", "G55"], True, "Fixture"
+    words = api.export(job, tmp_path / "part.nc", args="--no-comments").split()
+    assert words.index("G54") < words.index("G55") < words.index("M2")
+    assert words.count("M2") == 1 and job.SplitOutput
+
+
+@pytest.mark.parametrize("args", ["--bogus", "--precision=x"])
+def test_arguments_that_the_post_does_not_know_are_told(doc, tmp_path, args):
+    job, part, face = small_job(doc)
+    api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    with pytest.raises(SetupError, match="made no program"):
+        api.export(job, tmp_path / "part.nc", args=args)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("of", ["nothing", "no names", "pair", "numbers"])
+def test_floors_that_are_no_names_of_faces_are_told(doc, of):
+    job, part, face = small_job(doc)
+    base = {
+        "nothing": [(None, [face])],
+        "no names": [part],
+        "pair": (part, [face]),
+        "numbers": [(part, [11])],
+    }[of]
+    with pytest.raises(SelectionError, match="no part|not given as parts"):
+        api.add_spiral_pocket(job, base, **QUICK)
+
+
+def test_a_job_without_stock_or_tool_is_told(doc):
+    job, part, face = small_job(doc)
+    doc.removeObject(job.Tools.Group[0].Tool.Name)
+    with pytest.raises(SetupError, match="has no tool"):
+        api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    job, part, face = small_job(doc)
+    doc.removeObject(job.Stock.Name)
+    with pytest.raises(SetupError, match="has no stock"):
+        api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+
+
+def test_a_floor_cut_by_seams_is_one_pocket(doc):
+    whole = block(area(rectangle(24, 18, 4)))
+    box = whole.BoundBox
+    halves = [
+        whole.common(
+            Part.makeBox(box.XLength, box.YLength, box.ZLength, Vector(x, box.YMin, box.ZMin))
+        )
+        for x in (box.Center.x, box.Center.x - box.XLength)
+    ]
+    part = add_part(doc, halves[0].fuse(halves[1:]).Solids[0])
+    faces = faces_at(part.Shape, -DEPTH)
+    assert len(faces) == 2
+    job = add_job(doc, part)
+    op = api.add_spiral_pocket(job, [(part, faces)], **QUICK)
+    assert len(op.Proxy.plans) == 1 and not any("open at a side" in n for n in op.Notices)
+    assert op.Proxy.plans[0].request.pocket.area == pytest.approx(
+        24 * 18 - 16 * (4 - math.pi), abs=0.2
+    )
+    # one half alone ends at the seam
+    half = api.add_spiral_pocket(job, [(part, faces[:1])], **QUICK)
+    assert any("open at a side" in notice for notice in half.Notices)

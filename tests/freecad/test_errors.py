@@ -26,11 +26,13 @@ from freecad_spiralpocket import api
 from freecad_spiralpocket.engine.errors import (
     CancelledError,
     CutterDoesNotFitError,
+    NotYetError,
     RequestError,
     SelectionError,
     SetupError,
     SpiralPocketError,
 )
+from freecad_spiralpocket.engine.laps import automatic
 from freecad_spiralpocket.op import compat, operation
 
 
@@ -121,6 +123,8 @@ def test_a_step_over_that_cannot_be(setting, stepover):
     [
         ("Tolerance", 0, "tolerance"),
         ("StepDown", 0, "step down"),
+        ("StepDown", 1e-6, "more than 500 levels"),
+        ("SlotBite", 1e-5, "more than 500 levels"),
         ("HelixAngle", 0, "helix angle"),
         ("FinishDepth", 50, "finish depth"),
         ("SafeHeight", -1, "heights"),
@@ -130,6 +134,12 @@ def test_a_step_over_that_cannot_be(setting, stepover):
 def test_a_value_that_makes_no_sense(setting, name, value, words):
     job, part, face = setting
     refused(job, [(part, [face])], RequestError, words, **{name: value})
+
+
+def test_a_step_over_with_thousands_of_laps_is_refused_before_they_grow(setting, monkeypatch):
+    job, part, face = setting
+    monkeypatch.setattr(automatic, "_levels", None)
+    refused(job, [(part, [face])], NotYetError, "step-overs wide", MaxEngagement=0.5)
 
 
 def test_step_over_zero_in_the_panel(op):

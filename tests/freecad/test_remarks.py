@@ -45,6 +45,18 @@ def test_what_is_probably_not_meant_is_told_before_and_after(job, options, words
     assert any(words in str(notice) for notice in notices)
 
 
+def test_a_spindle_that_stands_is_told(job):
+    job.Tools.Group[0].SpindleSpeed = 0
+    op = cut(job)
+    assert told(op, "The spindle speed of") and "spindle speed" in str(requests_of(op)[1][0])
+
+
+def test_a_floor_below_the_stock_is_told_as_such(job):
+    job.Stock.ExtZneg = -5.0
+    op = cut(job)
+    assert told(op, "The selected floor lies") and not told(op, "goes 0 mm")
+
+
 def test_stock_that_an_earlier_operation_takes_is_not_told(job):
     cut(job)
     assert not told(cut(job, StartDepth=-2.0), "above the start depth")

@@ -77,6 +77,7 @@ def add_job(document, solid, diameter, feed=1500.0):
     tool_controller = job.Tools.Group[0]
     tool_controller.Tool.Diameter = diameter
     tool_controller.Label = f"TC: {diameter:g} mm end mill"
+    tool_controller.SpindleSpeed = 12000
     tool_controller.HorizFeed = feed / 60
     tool_controller.VertFeed = feed / 240
     tool_controller.HorizRapid = tool_controller.VertRapid = 5000 / 60

@@ -154,6 +154,7 @@ def _fastest(
         If the region is too wide.
     """
     motion, rules = motion_of(request), rules_of(request)
+    _check_width(region, request)
     best, most = _Best(), MAX_FRONTS
     starts = promising(starts, region, FEW * request.cutting.stepover)
     for i, (start, within) in enumerate(starts):
@@ -178,11 +179,24 @@ def _fastest(
         if best.is_beaten_by(seconds, links):
             best = _Best(start, steps, seconds, links)
     if best.start is None:
-        raise NotYetError(
-            f"The pocket is more than {MAX_FRONTS} step-overs wide.",
-            "Take a wider cutter or a larger step-over.",
-        )
+        raise _too_wide()
     return best
+
+
+def _check_width(region: Polygon, request: PocketRequest) -> None:
+    """Refuse at once what the fronts would find out after minutes."""
+    widest = MAX_FRONTS * WIDEST * STRETCH * request.cutting.stepover
+    if widest < max(region.bounds[2] - region.bounds[0], region.bounds[3] - region.bounds[1]) and (
+        not buffer(region, -widest).is_empty
+    ):
+        raise _too_wide()
+
+
+def _too_wide() -> NotYetError:
+    return NotYetError(
+        f"The pocket is more than {MAX_FRONTS} step-overs wide.",
+        "Take a wider cutter or a larger step-over.",
+    )
 
 
 @dataclass(frozen=True, slots=True)

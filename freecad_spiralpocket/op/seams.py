@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Floors that seams cut into several faces, as joined or imprinted solids have them.
+
+Selected faces of one height that meet at an edge are one floor. FreeCAD's own refinement takes the
+seams out of the solid; only what was selected is joined.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from .compat import STALE_ELEMENT_ERRORS
+
+#: Heights closer than this are the same [mm].
+SAME_HEIGHT = 1e-4
+#: The joined face may differ by so much from the sum of its parts, over that.
+SAME_AREA = 1e-6
+
+
+def groups(selected: Sequence[tuple[Any, str]]) -> list[tuple[Any, tuple[str, ...]]]:
+    """Return pairs of model and names of faces, those together that meet at one height."""
+    found: list[tuple[Any, list[str], set[tuple[int, int]]]] = []
+    for model, name in selected:
+        names, edges = [name], _level_edges(model, name)
+        for other in [o for o in found if o[0] is model and o[2] & edges]:
+            names, edges = [*other[1], *names], other[2] | edges
+            found.remove(other)
+        found.append((model, names, edges))
+    return [(model, tuple(names)) for model, names, _ in found]
+
+
+def joined(solid: Any, faces: Sequence[Any]) -> tuple[Any, Any] | None:
+    """Return a solid without seams and the face of it that some faces make, None if none does."""
+    whole = solid.removeSplitter()
+    area, z = sum(face.Area for face in faces), faces[0].BoundBox.ZMin
+    inside = _inside(faces[0])
+    for face in whole.Faces:
+        box = face.BoundBox
+        if (
+            box.ZLength < SAME_HEIGHT
+            and abs(box.ZMin - z) < SAME_HEIGHT
+            and abs(face.Area - area) < SAME_AREA * area
+            and face.isInside(inside, SAME_HEIGHT, True)
+        ):
+            return (whole.Solids[0], face) if whole.Solids else None
+    return None
+
+
+def _level_edges(model: Any, name: str) -> set[tuple[int, int]]:
+    """Return the edges of a level face, each with the face's height in tenths of a micrometer."""
+    try:
+        face = model.Shape.getElement(name)
+    except STALE_ELEMENT_ERRORS:
+        return set()
+    box = face.BoundBox
+    if face.ShapeType != "Face" or box.ZLength > SAME_HEIGHT:
+        return set()
+    return {(edge.hashCode(), round(box.ZMin / SAME_HEIGHT)) for edge in face.Edges}
+
+
+def _inside(face: Any) -> Any:
+    """Return a point inside a flat face, the middle of one of its triangles."""
+    points, triangles = face.tessellate(0.1)
+    a, b, c = (points[i] for i in triangles[0])
+    return (a + b + c) * (1 / 3)
