@@ -54,21 +54,35 @@ def standing_share(
     rows, piece = _higher_pairs(samples, angle > 0, pieces, heights, ceiling, around)
     pair, low, high = cleared_intervals(samples, rows, piece, pieces, r)
     rows, at = rows[pair], heights[piece[pair]]
+    order = np.lexsort((at, rows))
+    rows, at, low, high = rows[order], at[order], low[order], high[order]
+    rank = _ranks(rows, at)
     number = np.full(n, -1)
-    for height in np.unique(at):
-        touched = np.unique(rows[at == height])
-        rise = height - level[touched]
+    # each sample's own heights one after the other, the lowest of all samples at once
+    for step in range(int(rank.max(initial=-1)) + 1):
+        here = np.flatnonzero(rank == step)
+        first = here[np.append(True, np.diff(rows[here]) != 0)]
+        touched = rows[first]
+        rise = at[first] - level[touched]
         load[touched] += angle[touched] * rise
         bite[touched] += ahead[touched] * rise
-        level[touched] = height
+        level[touched] = at[first]
         number[touched] = np.arange(len(touched))
-        now = np.flatnonzero((at <= height) & (number[rows] >= 0))
+        now = np.flatnonzero((rank <= step) & (number[rows] >= 0))
         rest = gaps.repeated(touched).without(number[rows[now]], low[now], high[now], np.pi / 2)
         angle[touched] = rest.angles(len(touched))
         ahead[touched] = rest.contain(len(touched), 0.0)
         number[touched] = -1
     rise = np.maximum(ceiling - level, 0.0)
     return (load + angle * rise) / axial_depth, bite + ahead * rise
+
+
+def _ranks(rows: NDArray[np.int64], at: Floats) -> NDArray[np.intp]:
+    """Return which of a row's different heights each is, from 0 on; both are sorted by row."""
+    same_row = rows[1:] == rows[:-1]
+    steps = np.append(0, np.cumsum(~same_row | (at[1:] != at[:-1])))[: len(rows)]
+    begins = np.append(True, ~same_row)[: len(rows)]
+    return steps - steps[begins][np.cumsum(begins) - 1]
 
 
 def _higher_pairs(
