@@ -15,12 +15,13 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from .front_rules import NEW, FrontRules
+from .front_rules import NEW, WIDEST, FrontRules
 from .region import polygons_of
 from .shaping import SLIVER, Region, are_within, buffer, clipped, welded
 
-#: A front goes no farther than this beyond the last, over R: there the cutter reached over.
-REACHED = 0.92
+#: A front goes no farther than this beyond the last, over R: there the cutter reached over. Where
+#: its widest step is wider that is the least, so much the most.
+REACHED, REACHED_WIDE = 0.92, 0.96
 #: The rounded corner of a plug is no deeper than this over `FrontRules.closing` and the step-over:
 #: the cutter comes to it along a side and would be engaged that much more.
 BULGE = 0.32
@@ -109,7 +110,7 @@ def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRul
     holes = [sum(len(p.interiors) for p in polygons_of(shape)) for shape in (closed, moved)]
     if holes[0] < holes[1]:
         return False
-    reach = REACHED * rules.cutter_radius
+    reach = _reach(rules)
     if not are_within(visited, shapely.get_coordinates(closed), reach).all():
         return False
     # an arm that was filled has no edge left that would tell
@@ -117,6 +118,12 @@ def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRul
         return True
     fills = shapely.difference(closed, moved)
     return bool(shapely.difference(fills, buffer(visited, reach)).area < SLIVER)
+
+
+def _reach(rules: FrontRules) -> float:
+    """Return how far beyond the last front the cutter surely clears [mm]."""
+    widest = WIDEST * rules.stepover / rules.cutter_radius
+    return rules.cutter_radius * min(REACHED_WIDE, max(REACHED, widest))
 
 
 def _new_edges(fills: NDArray[np.object_], moved: Region) -> NDArray[np.intp]:
@@ -143,7 +150,7 @@ def _are_beyond(
 
     It goes round `visited`, and where a `corner` is rounded then along its new edge.
     """
-    reach = REACHED * rules.cutter_radius
+    reach = _reach(rules)
     coords, of = shapely.get_coordinates(fills, return_index=True)
     lost = ~are_within(visited, coords, reach)
     regained = lost & corner[of]

@@ -17,8 +17,9 @@ from .model import Floats
 
 #: Where the stock bends away from the cutter the step may be so much over the step-over.
 WIDEST = 1.15
-#: No step is wider than this over R: laps that meet would leave stock between them.
-MEETING = 0.97
+#: No step of a straight front is wider than this over R, and none at all than the second: laps that
+#: meet would leave stock between them, and reentrant kinks could not be rounded within reach.
+MEETING, FARTHEST = 0.88, 0.92
 #: The front is new where it is farther than this from the region before [mm].
 NEW = 0.012
 
@@ -67,11 +68,11 @@ def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:
     Returns
     -------
     ndarray of shape (n,)
-        [mm], in ``(0, WIDEST * stepover]``, at most `MEETING` R.
+        [mm], in ``(0, WIDEST * stepover]``, at most `FARTHEST` R.
     """
     r, s = rules.cutter_radius, rules.cutter_radius * np.sin(rules.limit)
     k = np.where(np.abs(curvature) < 1e-6, 1e-6, curvature)
-    widest = min(WIDEST * rules.stepover, MEETING * r)
+    widest = min(WIDEST * rules.stepover, FARTHEST * r)
     # stock that is tighter than this may be taken as deeply as anything is
     rho = np.where(k < 0, np.minimum(r + 1 / k, -s), r + 1 / k)
     root = np.sqrt(rho**2 - s**2)

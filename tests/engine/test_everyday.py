@@ -112,6 +112,38 @@ def test_laps_that_meet_leave_nothing_between_them(stepover, proofs):
     assert [proof.uncut_area < 0.01 for proof in proofs] == [True]
 
 
+def kinks(result: Plan) -> int:
+    """Return how many turns over 20 degrees on the spot there are at depth, off the walls."""
+    path = result.toolpath
+    floor = path.points[:, 2].min() + 1e-6
+    flat = (path.points[:, 2] < floor) & (path.starts[:, 2] < floor)
+    aside = np.array([[0.0, 1.0], [-1.0, 0.0]])
+    sense = np.where(path.kinds == Kind.ARC_CCW, 1.0, -1.0)[:, None]
+
+    def headings(places):
+        ahead = np.where(
+            path.is_arc[:, None],
+            sense * ((places[:, :2] - path.centers) @ aside),
+            (path.points - path.starts)[:, :2],
+        )
+        return np.arctan2(ahead[:, 1], ahead[:, 0])
+
+    leaving, arriving = headings(path.starts), headings(path.points)
+    turns = np.abs((leaving[1:] - arriving[:-1] + np.pi) % (2 * np.pi) - np.pi)
+    long = path.lengths > 1e-3
+    wall = result.request.pocket.boundary.buffer(result.request.cutter_radius + 0.05)
+    free = ~shapely.contains_xy(wall, path.points[:-1, :2])
+    sharp = (turns > math.radians(20)) & flat[1:] & flat[:-1] & long[1:] & long[:-1] & free
+    return int(sharp.sum())
+
+
+@pytest.mark.parametrize("share", [0.4, 0.5])
+def test_fronts_that_meet_have_no_hooks_however_wide_the_step(share):
+    bosses = [Point(x, y).buffer(6) for x in (-35, 35) for y in (-22, 22)]
+    plate = box(-50, -35, 50, 35).buffer(-6).buffer(6).difference(shapely.union_all(bosses))
+    assert kinks(planned(plate, 6 * share)) < 10
+
+
 @pytest.mark.parametrize("name", ["dog bones", "channel", "island by the wall"])
 def test_isotherms_keep_out_of_corners_that_stick_out(name, proofs):
     pocket = {"dog bones": DOG_BONES, "channel": CHANNEL, "island by the wall": BY_THE_WALL}[name]
