@@ -3,10 +3,11 @@
 
     from freecad_spiralpocket import api
 
-    op = api.add_spiral_pocket(job, [(part, ["Face12"])], StepOver=30, FinalDepth="-5 mm")
+    names = api.floors(part)  # or such as ["Face12"]
+    op = api.add_spiral_pocket(job, [(part, names)], StepOver=30, FinalDepth="-5 mm")
     gcode = api.export(job, "part.ngc", post="linuxcnc")
 
-Both raise the engine's errors (``freecad_spiralpocket.engine.errors``), whose text
+They raise the engine's errors (``freecad_spiralpocket.engine.errors``), whose text
 is meant for the machinist, and leave the document as it was when they do.
 """
 
@@ -19,9 +20,23 @@ from pathlib import Path
 from typing import Any
 
 from .engine.errors import RequestError, SelectionError, SetupError
-from .op import compat, operation, properties
+from .op import compat, operation, properties, selection
 
-__all__ = ["add_spiral_pocket", "export"]
+__all__ = ["add_spiral_pocket", "export", "floors"]
+
+
+def floors(part: Any) -> list[str]:
+    """Return the names of all faces of a part that are floors of pockets, the highest first.
+
+    With walls all around; a floor that is open at a side has to be named.
+
+    Parameters
+    ----------
+    part : object
+        A document object with a shape.
+    """
+    found = sorted(selection.find_floors(part), key=lambda floor: -floor.z)
+    return [floor.name for floor in found]
 
 
 def add_spiral_pocket(

@@ -248,3 +248,11 @@ def test_a_floor_cut_by_seams_is_one_pocket(doc):
     # one half alone ends at the seam
     half = api.add_spiral_pocket(job, [(part, faces[:1])], **QUICK)
     assert any("open at a side" in notice for notice in half.Notices)
+
+
+def test_floors_are_found_the_highest_first(doc):
+    part = add_part(doc, block(area(rectangle(40, 30, 4)), area(circle(9, 60, 20))))
+    names = api.floors(part)
+    assert len(names) == 2 and set(names) == set(faces_at(part.Shape, -DEPTH))
+    op = api.add_spiral_pocket(add_job(doc, part), [(part, names)], **QUICK)
+    assert len(op.Proxy.plans) == 2
