@@ -32,7 +32,7 @@ LEVEL = 1e-5
 #: Normals are looked at in so many places each way.
 PLACES = 9
 #: Overhanging faces become triangles this far off at most [mm].
-SHADOW_SAG = 2e-3
+SHADOW_SAG = 5e-3
 
 UP = FreeCAD.Vector(0, 0, 1)
 
@@ -72,17 +72,19 @@ def solid_section(solid: Any, z: float, sag: float) -> shapely.Geometry:
     return reduce(shapely.symmetric_difference, areas, Polygon())
 
 
-def shadow(faces: Iterable[Any], z: float) -> shapely.Geometry:
-    """Return the ground under faces, as far as they are above `z`."""
-    triangles = []
-    for face in faces:
-        if face.BoundBox.ZMax > z + ABOVE:
-            corners, index = face.tessellate(SHADOW_SAG)
-            points = np.array([tuple(c) for c in corners])
-            triangles += [_above(points[list(i)], z) for i in index]
-    shadows = [shapely.MultiPoint(t[:, :2]).convex_hull for t in triangles if len(t) > 2]
+def triangles_of(face: Any) -> np.ndarray:
+    """Return a face as triangles, shape (n, 3, 3) [mm]; it takes long where it bends both ways."""
+    corners, index = face.tessellate(SHADOW_SAG)
+    return np.array([tuple(c) for c in corners]).reshape(-1, 3)[np.array(index, int).reshape(-1, 3)]
+
+
+def shadow(faces: Iterable[np.ndarray], z: float) -> shapely.Geometry:
+    """Return the ground under faces, given as triangles, as far as they are above `z`."""
+    corners = [piece[:, :, :2] for face in faces for piece in _above(face, z)]
+    shadows = [shapely.convex_hull(shapely.multipoints(c)) for c in corners if len(c)]
+    ground = shapely.union_all([shapely.union_all(part) for part in shadows])
     # a hair, so that what is vertical has an area and is no sliver
-    return shapely.union_all(shadows).buffer(SHADOW_SAG, quad_segs=2)
+    return ground.buffer(SHADOW_SAG, quad_segs=2)
 
 
 def is_level(face: Any) -> bool:
@@ -163,12 +165,23 @@ def _rings(chains: list[list[geometry.Piece]]) -> list[list[geometry.Piece]]:
     return rings
 
 
-def _above(triangle: np.ndarray, z: float) -> np.ndarray:
-    """Return the corners of the part of a triangle above `z`, shape (n, 3)."""
-    corners = []
-    for a, b in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
-        if a[2] >= z:
-            corners.append(a)
-        if (a[2] - z) * (b[2] - z) < 0:
-            corners.append(a + (b - a) * (z - a[2]) / (b[2] - a[2]))
-    return np.array(corners).reshape(-1, 3)
+def _above(triangles: np.ndarray, z: float) -> list[np.ndarray]:
+    """Return the parts of triangles above `z` by their corners, arrays of shape (n, k, 3)."""
+    is_above = triangles[:, :, 2] >= z
+    count = is_above.sum(axis=1)
+
+    def cut(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+        return a + (b - a) * ((z - a[:, 2]) / (b[:, 2] - a[:, 2]))[:, None]
+
+    # the corner that is alone first, the others in their order
+    tips = triangles[count == 1]
+    first = np.argmax(is_above[count == 1], axis=1)
+    a, b, c = (tips[np.arange(len(tips)), (first + i) % 3] for i in range(3))
+    rest = triangles[count == 2]
+    first = np.argmin(is_above[count == 2], axis=1)
+    d, e, f = (rest[np.arange(len(rest)), (first + i) % 3] for i in range(3))
+    return [
+        triangles[count == 3],
+        np.stack([a, cut(a, b), cut(a, c)], axis=1),
+        np.stack([cut(d, e), e, f, cut(d, f)], axis=1),
+    ]

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
 import shapely
 from shapely import Polygon
 
@@ -34,6 +35,7 @@ from .slices import (
     shadow,
     signed_area,
     solid_section,
+    triangles_of,
 )
 
 #: Free ground that comes so far from the solid leads out of it [mm].
@@ -67,6 +69,7 @@ class Walls:
         self._outline = geometry.polygon(floor, sag, use_outline=use_outline)
         self._free: dict[float, Polygon | None] = {}
         self._down: dict[int, bool] = {}
+        self._tessellated: dict[int, np.ndarray] = {}
         self._plain: dict[float, bool] = {}
         reached = list(self._reached())
         self._around = [self._neighbors.faces[face] for face in reached]
@@ -179,7 +182,7 @@ class Walls:
                 solid = shapely.union_all(islands)
                 free = shapely.difference(free, solid)
         above = filter(self._looks_down, over(self._floor.solid.Faces, free, z))
-        free = shapely.difference(free, shadow(above, z))
+        free = shapely.difference(free, shadow(map(self._triangles, above), z))
         parts = [p for p in polygons_of(free) if p.intersects(self._outline)]
         if not parts:
             return Polygon()
@@ -191,6 +194,12 @@ class Walls:
         if key not in self._down:
             self._down[key] = looks_down(face)
         return self._down[key]
+
+    def _triangles(self, face: Any) -> np.ndarray:
+        key = face.hashCode()
+        if key not in self._tessellated:
+            self._tessellated[key] = triangles_of(face)
+        return self._tessellated[key]
 
     def _fenced(self, z: float) -> Polygon | None:
         """Return what is free up to the fence at the floor's open sides, None if it leaks."""
