@@ -24,6 +24,7 @@ from .mirroring import mirrored, mirrored_request
 from .model import CutMode, Floats, PocketRequest
 from .open_sides import needed, starts_of
 from .outline import outline_of
+from .promising import promising
 from .region import center_regions
 from .shaping import largest, oriented
 from .starts import island_ring
@@ -97,7 +98,7 @@ def openings(request: PocketRequest) -> list[Opening]:
     for region in regions:
         starts = starts_of(region, request)
         near = automatic.FEW * request.cutting.stepover
-        start, within = automatic.promising(starts, needed(region, request), near)[0]
+        start, within = promising(starts, needed(region, request), near)[0]
         reaches_out = start.within is not None or isinstance(start.entry, Plunge)
         walls = within if reaches_out else start.omega
         ring = shapely.get_coordinates(start.ring)

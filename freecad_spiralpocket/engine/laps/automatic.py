@@ -29,12 +29,12 @@ from ..fronts import MAX_FRONTS, STRETCH, grow
 from ..leftovers import is_left, large_pieces, without
 from ..linking import Motion
 from ..model import Floats, PocketRequest, Tick
-from ..nearest import nearest
 from ..open_sides import needed, starts_of, strokes_in_stock, strokes_within
 from ..ordering import Step, order, runs_of
 from ..polyline import simplified
+from ..promising import promising
 from ..region import polygons_of
-from ..shaping import Region, buffer, largest, oriented, thick_parts
+from ..shaping import buffer, largest, oriented, thick_parts
 from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
 from ..starts import Start, candidates
@@ -47,11 +47,7 @@ SIZE, EXACT = 3.0, 0.01
 CLOSING = 1.33
 #: Radius with which fronts meet walls, over the step-over.
 FILLET = 1.75
-#: A start is hopeless whose farthest wall is farther than this over the nearest one's.
-HOPELESS = 1.5
-#: Places within a region at which that is looked at, along each side.
-GRID = 40
-#: One is given up that needs more levels than this over the best.
+#: A start is given up that needs more levels than this over the best.
 HOPELESS_LEVELS = 1.8
 #: So few levels are always worth simulating.
 FEW = 14
@@ -186,9 +182,7 @@ def _fastest(
 def _check_width(region: Polygon, request: PocketRequest) -> None:
     """Refuse at once what the fronts would find out after minutes."""
     widest = MAX_FRONTS * WIDEST * STRETCH * request.cutting.stepover
-    if widest < max(region.bounds[2] - region.bounds[0], region.bounds[3] - region.bounds[1]) and (
-        not buffer(region, -widest).is_empty
-    ):
+    if not buffer(region, -widest).is_empty:
         raise _too_wide()
 
 
@@ -284,43 +278,6 @@ def rules_of(request: PocketRequest) -> FrontRules:
     radius, stepover = request.cutter_radius, request.cutting.stepover
     limit = step_limit(request.engagement_limit)
     return FrontRules(radius, limit, CLOSING * radius, FILLET * min(stepover, MEETING * radius))
-
-
-def promising(
-    starts: list[tuple[Start, Polygon]], region: Polygon, near: float
-) -> list[tuple[Start, Polygon]]:
-    """Return the starts from which the farthest place is not hopelessly far, the nearest first.
-
-    Fronts from elsewhere would need so many more levels, each with its strokes and links, that
-    simulating them is not worth the time; unless all places are within `near` [mm].
-    """
-    if len(starts) == 1:
-        return starts
-    x0, y0, x1, y1 = region.bounds
-    x, y = np.meshgrid(np.linspace(x0, x1, GRID), np.linspace(y0, y1, GRID))
-    inner = np.column_stack([x.ravel(), y.ravel()])
-    inner = inner[shapely.contains_xy(region, inner)]
-    places = np.vstack([inner, _sampled(region.boundary, 2.0)])
-    visited = [
-        shapely.union_all([start.visited, *start.idle]) if start.idle else start.visited
-        for start, _ in starts
-    ]
-    far = np.array([_farthest(places, ground) for ground in visited])
-    order = np.argsort(far, kind="stable")
-    return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), near)]
-
-
-def _sampled(line: shapely.Geometry, spacing: float) -> Floats:
-    """Return points along lines, at most `spacing` apart [mm]."""
-    return shapely.get_coordinates(shapely.segmentize(shapely.simplify(line, 0.05), spacing))
-
-
-def _farthest(places: Floats, visited: Region) -> float:
-    """Return how far the farthest of the places is from what is visited [mm]."""
-    outside = places[~shapely.contains_xy(visited, places)]
-    if len(outside) == 0:
-        return 0.0
-    return float(nearest(_sampled(visited.boundary, 1.0), outside)[0].max())
 
 
 def _steps(

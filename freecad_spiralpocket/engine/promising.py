@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which starts are worth growing: those from which no place is hopelessly far."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+from shapely import Polygon
+
+from .model import Floats
+from .nearest import nearest
+from .shaping import Region
+from .starts import Start
+
+#: A start is hopeless whose farthest wall is farther than this over the nearest one's.
+HOPELESS = 1.5
+#: Places within a region at which that is looked at, along each side.
+GRID = 40
+
+
+def promising(
+    starts: list[tuple[Start, Polygon]], region: Polygon, near: float
+) -> list[tuple[Start, Polygon]]:
+    """Return the starts from which the farthest place is not hopelessly far, the nearest first.
+
+    Fronts from elsewhere would need so many more levels, each with its strokes and links, that
+    simulating them is not worth the time; unless all places are within `near` [mm].
+    """
+    if len(starts) == 1:
+        return starts
+    x0, y0, x1, y1 = region.bounds
+    x, y = np.meshgrid(np.linspace(x0, x1, GRID), np.linspace(y0, y1, GRID))
+    inner = np.column_stack([x.ravel(), y.ravel()])
+    inner = inner[shapely.contains_xy(region, inner)]
+    places = np.vstack([inner, _sampled(region.boundary, 2.0)])
+    visited = [
+        shapely.union_all([start.visited, *start.idle]) if start.idle else start.visited
+        for start, _ in starts
+    ]
+    far = np.array([_farthest(places, ground) for ground in visited])
+    order = np.argsort(far, kind="stable")
+    return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), near)]
+
+
+def _sampled(line: shapely.Geometry, spacing: float) -> Floats:
+    """Return points along lines, at most `spacing` apart [mm]."""
+    return shapely.get_coordinates(shapely.segmentize(shapely.simplify(line, 0.05), spacing))
+
+
+def _farthest(places: Floats, visited: Region) -> float:
+    """Return how far the farthest of the places is from what is visited [mm]."""
+    outside = places[~shapely.contains_xy(visited, places)]
+    if len(outside) == 0:
+        return 0.0
+    return float(nearest(_sampled(visited.boundary, 1.0), outside)[0].max())
