@@ -19,8 +19,8 @@ from .front_rules import NEW, WIDEST, FrontRules
 from .region import polygons_of
 from .shaping import SLIVER, Region, are_within, buffer, clipped, welded
 
-#: A front goes no farther than this beyond the last, over R: there the cutter reached over. Where
-#: its widest step is wider that is the least, so much the most.
+#: A front goes no farther than the first beyond the last, over R: there the cutter reached over. Or
+#: as far as its widest step where that is farther, up to the second.
 REACHED, REACHED_WIDE = 0.92, 0.96
 #: The rounded corner of a plug is no deeper than this over `FrontRules.closing` and the step-over:
 #: the cutter comes to it along a side and would be engaged that much more.
