@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The package as a whole: one version everywhere, and imports that point one way.
 
-gui may import op, op may import engine; the engine knows neither FreeCAD nor
-Qt, so that it can be tested, and used, in plain Python.
+gui may import op, op may import beside, beside may import engine; the last two know
+neither FreeCAD nor Qt, so that they can be tested, and used, in plain Python.
 """
 
 import ast
@@ -24,7 +24,8 @@ NAMESPACE = {"p": "https://wiki.freecad.org/Package_Metadata"}
 OURS = "freecad_spiralpocket"
 FREECAD = {"FreeCAD", "FreeCADGui", "Part", "Path", "PathScripts", "PySide", "pivy"}
 FORBIDDEN = {
-    "engine": FREECAD | {f"{OURS}.{name}" for name in ("op", "gui", "api", "cli")},
+    "engine": FREECAD | {f"{OURS}.{name}" for name in ("beside", "op", "gui", "api", "cli")},
+    "beside": FREECAD | {f"{OURS}.{name}" for name in ("op", "gui", "api", "cli")},
     "op": {"FreeCADGui", "PySide", "pivy"} | {f"{OURS}.{name}" for name in ("gui", "api", "cli")},
     "gui": {f"{OURS}.{name}" for name in ("api", "cli")},
 }
@@ -72,6 +73,7 @@ def test_imports_point_one_way(part):
         ("engine", "from ..op import geometry"),
         ("engine", "from .. import op"),
         ("engine", "def f():\n    from PySide import QtCore"),
+        ("beside", "from ..op import pockets"),
         ("op", "from freecad_spiralpocket.gui.panel import Page"),
         ("gui", "from ..api import export"),
     ],

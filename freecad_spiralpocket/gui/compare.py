@@ -17,6 +17,7 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
+from ..beside.tasks import Drawn
 from ..engine.errors import SpiralPocketError
 from ..engine.model import PocketRequest, Strategy
 from . import planning
@@ -25,7 +26,6 @@ from .lane import Job
 from .outlook import Outlook
 from .previewcolors import OVER_LIMIT, Scale
 from .resulttext import duration, length, small
-from .tasks import Drawn
 from .themecolors import theme
 
 translate = FreeCAD.Qt.translate

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from PySide import QtCore, QtGui
 
+from ..beside.tasks import Drawn
 from ..engine.toolpath import Role
 from . import previewcolors as colors
-from .tasks import Drawn
 from .themecolors import Theme
 
 #: Colors of the scale that are told apart, and margin around the pocket in pixels.

@@ -14,8 +14,9 @@ from typing import Any
 
 from PySide import QtCore
 
+from ..beside.interpreters import Interpreters
 from ..engine.errors import SpiralPocketError
-from .workers import Interpreters, Message, ProcessWorker, make_worker
+from .workers import Message, ProcessWorker, make_worker
 
 PATIENCE = 1000  # ms until a worker that should give up is ended: a new one takes as long to start
 IDLE = 120_000  # ms without work after which the workers end

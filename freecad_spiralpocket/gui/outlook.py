@@ -17,12 +17,12 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 from PySide import QtCore
 
+from ..beside.tasks import Drawn
 from ..engine.dependencies import require_libraries
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Notice, Plan, PocketRequest
 from . import planning
 from .lane import Job
-from .tasks import Drawn
 
 if TYPE_CHECKING:
     from ..engine.draft import Draft

@@ -12,10 +12,10 @@ import os
 from collections.abc import Sequence
 from typing import Any
 
+from ..beside.tasks import Drawn
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Plan, PocketRequest, Progress
 from .lane import Job, Lane
-from .tasks import Drawn
 
 #: So many proved plans are kept.
 KEPT = 60

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from ..beside.tasks import Drawn
 from ..engine.force import MATERIALS, Cutter, cutting_forces
 from ..engine.model import CutMode, Floats
 from ..engine.toolpath import Role
-from .tasks import Drawn
 
 #: The material that forces are told for, until the part has one of its own.
 MATERIAL = "Aluminum 6082-T6"

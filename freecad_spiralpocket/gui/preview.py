@@ -13,12 +13,12 @@ from typing import Any
 import FreeCAD
 import numpy as np
 
+from ..beside.tasks import Drawn
 from ..engine.model import Floats
 from .outlook import Outlook, Pocket
 from .previewbox import PreviewBox
 from .previewcolors import OVER_LIMIT, Scale, is_cut
 from .previewscene import DraftItem, PathItem, Scene
-from .tasks import Drawn
 
 translate = FreeCAD.Qt.translate
 

@@ -13,30 +13,26 @@ next question for progress.
 from __future__ import annotations
 
 import gc
-import os
 import pickle
 import queue
-import shutil
 import struct
 import sys
 import threading
 import traceback
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
-import FreeCAD
 from PySide import QtCore
 
+from ..beside.interpreters import SCRIPT, Interpreters
+from ..beside.tasks import Tasks, versions
 from ..engine.model import Progress
-from .tasks import Tasks, versions
 
-#: What a worker tells: "progress", "done", "error", "crash" as in `workerprocess`; ("gone", text)
+#: What a worker tells: "progress", "done", "error", "crash" as in `beside.process`; ("gone", text)
 #: when its process ended by itself, ("unusable",) when it cannot work at all.
 Message = tuple[Any, ...]
 Listener = Callable[[Message], None]
 
-SCRIPT = Path(__file__).with_name("workerprocess.py")
 PATIENT = "--patient"
 POLL_EVERY = 20  # ms, how often a thread's messages are looked for
 COLLECT_EVERY = 100  # ms, how often garbage is collected while a thread works
@@ -218,43 +214,9 @@ def _work(
         messages.put(("crash", traceback.format_exc()))
 
 
-class Interpreters:
-    """Which interpreters are left to try; the first is the one in use."""
-
-    left: list[str] | None = None
-
-    @classmethod
-    def best(cls) -> str | None:
-        """Return the one to use, None for none."""
-        if cls.left is None:
-            cls.left = _interpreters()
-        return cls.left[0] if cls.left else None
-
-    @classmethod
-    def refuse(cls, python: str) -> None:
-        """Leave one out from now on."""
-        cls.left = [p for p in cls.left or () if p != python]
-
-
 def make_worker(listener: Listener, is_patient: bool = False) -> ProcessWorker | ThreadWorker:
     """Return a worker: a process if there is an interpreter for it, else a thread."""
     python = Interpreters.best()
     if python is None:
         return ThreadWorker(listener)
     return ProcessWorker(python, listener, is_patient)
-
-
-def _interpreters() -> list[str]:
-    """Return the Python interpreters that may belong to this FreeCAD, the likeliest first."""
-    names = [f"python{sys.version_info[0]}.{sys.version_info[1]}", "python3", "python"]
-    folders = [
-        Path(FreeCAD.getHomePath(), "bin"),
-        Path(sys.exec_prefix, "bin"),
-        Path(sys.exec_prefix),
-        Path(QtCore.QCoreApplication.applicationDirPath()),
-    ]
-    suffix = ".exe" if os.name == "nt" else ""
-    found = [folder / (name + suffix) for folder in folders for name in names]
-    paths = [str(path) for path in found if os.access(path, os.X_OK) and path.is_file()]
-    paths += filter(None, map(shutil.which, names))
-    return list(dict.fromkeys(paths))

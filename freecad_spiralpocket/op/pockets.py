@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
-from ..engine import plan as plan_pocket
-from ..engine.errors import CancelledError, SpiralPocketError
+from ..beside.crew import plan_together
+from ..engine.errors import SpiralPocketError
 from ..engine.model import Notice, Plan, PocketRequest, Progress
 from . import commands, open_sides, remarks, request, rest, seams, sections, selection, walls
 from .compat import parent_job
@@ -85,7 +85,7 @@ class Pockets:
         return found
 
     def plan(self, progress: Progress | None = None, planner: Planner | None = None) -> None:
-        """Plan all pockets, by default one after the other.
+        """Plan all pockets, by default with a process for every further core.
 
         Raises
         ------
@@ -95,7 +95,7 @@ class Pockets:
         found = self.requests()
         outcomes = [self._taken_over(r) if isinstance(r, PocketRequest) else r for _, r in found]
         missing = [i for i, outcome in enumerate(outcomes) if outcome is None]
-        planned = (planner or plan_in_turn)([found[i][1] for i in missing], progress)
+        planned = (planner or plan_together)([found[i][1] for i in missing], progress)
         for i, outcome in zip(missing, planned, strict=True):
             outcomes[i] = outcome
         for (floor, _), outcome, face in zip(found, outcomes, self._selected, strict=True):
@@ -251,32 +251,3 @@ class Pockets:
         if len(self._selected) == 1:
             return notice
         return Notice(f"{floor.label}: {notice.message}", notice.hint, notice.place)
-
-
-def plan_in_turn(
-    requests: Sequence[PocketRequest], progress: Progress | None
-) -> list[Plan | SpiralPocketError]:
-    """Return a plan for each request, or what is the matter with it.
-
-    Raises
-    ------
-    CancelledError
-        If `progress` says so.
-    """
-    outcomes: list[Plan | SpiralPocketError] = []
-    for number, wanted in enumerate(requests):
-        try:
-            outcomes.append(plan_pocket(wanted, _part_of(progress, number, len(requests))))
-        except CancelledError:
-            raise
-        except SpiralPocketError as error:
-            outcomes.append(error)
-    return outcomes
-
-
-def _part_of(progress: Progress | None, number: int, count: int) -> Progress | None:
-    """Return the progress of pocket `number` out of `count` as a part of the whole."""
-    if progress is None:
-        return None
-    prefix = f"Pocket {number + 1} of {count}: " if count > 1 else ""
-    return lambda done, stage: progress((number + done) / count, prefix + stage)

@@ -8,12 +8,14 @@ import pytest
 from PySide import QtCore
 from window import pump, wait_for
 
+from freecad_spiralpocket.beside import interpreters
+from freecad_spiralpocket.beside.interpreters import Interpreters
+from freecad_spiralpocket.beside.tasks import Drawn
 from freecad_spiralpocket.engine.errors import SpiralPocketError
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
 from freecad_spiralpocket.gui import workers
 from freecad_spiralpocket.gui.lane import Lane
-from freecad_spiralpocket.gui.tasks import Drawn
-from freecad_spiralpocket.gui.workers import Interpreters, ProcessWorker, ThreadWorker
+from freecad_spiralpocket.gui.workers import ProcessWorker, ThreadWorker
 
 
 def square(side=30.0, stepover=2.4):
@@ -62,7 +64,7 @@ def test_what_cannot_be_cut_comes_back_as_an_error(lane):
 
 @pytest.mark.parametrize("useless", ["/bin/false", "/bin/cat", "/no/such/python"])
 def test_useless_interpreter_is_left_out(lane, monkeypatch, useless):
-    good = workers._interpreters()
+    good = interpreters.likely()
     monkeypatch.setattr(Interpreters, "left", [useless, *good])
     job = lane.submit("draft", square())
     assert done(job).result is not None
@@ -71,7 +73,7 @@ def test_useless_interpreter_is_left_out(lane, monkeypatch, useless):
 
 def test_other_libraries_are_refused(lane, monkeypatch):
     monkeypatch.setattr(workers, "versions", lambda: ("another",))
-    monkeypatch.setattr(Interpreters, "left", workers._interpreters()[:1])
+    monkeypatch.setattr(Interpreters, "left", interpreters.likely()[:1])
     assert done(lane.submit("draft", square())).result is not None
     assert isinstance(worker(lane), ThreadWorker)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is done beside the window: each task takes one record and returns one.
+"""What is done beside FreeCAD: each task takes one record and returns one.
 
-Runs in a process that has neither FreeCAD nor Qt (`workerprocess`), or in a thread
+Runs in a process that has neither FreeCAD nor Qt (`process`), or in a thread of the window
 where no such process can be started. Everything that goes in or out is pickled. The
 engine is loaded by the first task: without shapely the window opens all the same.
 """
@@ -9,6 +9,7 @@ engine is loaded by the first task: without shapely the window opens all the sam
 from __future__ import annotations
 
 import math
+import pickle
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -77,6 +78,12 @@ class Tasks:
         for old in list(self._openings)[:-KEPT]:
             del self._openings[old]
         return known[stock]
+
+    def packed_plan(self, request: PocketRequest, progress: Progress) -> bytes:
+        """Return the proved plan, pickled, for the receiver to unpack when and where it may."""
+        from ..engine.planner import plan
+
+        return pickle.dumps(plan(request, progress), pickle.HIGHEST_PROTOCOL)
 
     def plan(self, request: PocketRequest, progress: Progress) -> Drawn:
         """Return the proved plan, drawn."""

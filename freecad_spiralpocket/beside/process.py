@@ -45,8 +45,8 @@ def main():
         outbox.flush()
 
     sys.path[:] = pickle.load(sys.stdin.buffer)
+    from freecad_spiralpocket.beside.tasks import Tasks, versions
     from freecad_spiralpocket.engine.errors import SpiralPocketError
-    from freecad_spiralpocket.gui.tasks import Tasks, versions
 
     tasks = Tasks()
     send("ready", versions())

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pockets of an operation planned at once, here and in processes beside FreeCAD.
+
+This process never waits for another to start: it plans pocket after pocket, and whoever
+else is ready takes the next one. So a few small pockets are done before a process is
+there, many take a share of the time, and where there is no interpreter for one nothing is
+lost. A process that ends too early or fails puts its pocket back, and it is planned here.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import struct
+import subprocess
+import sys
+import threading
+from collections.abc import Sequence
+from typing import Any
+
+from ..engine import plan
+from ..engine.errors import CancelledError, SpiralPocketError
+from ..engine.model import Plan, PocketRequest, Progress
+from .interpreters import SCRIPT, Interpreters
+from .tasks import versions
+
+#: Processes beside this one: a core each, but some memory too.
+HELPERS = max(0, min(7, (os.cpu_count() or 1) - 1))
+LONGEST = 1 << 32  # bytes of a message: more is no message of ours
+WAIT = 0.05  # s, how often this process asks whether to stop while it waits for others
+
+
+def plan_together(
+    requests: Sequence[PocketRequest], progress: Progress | None = None, helpers: int = HELPERS
+) -> list[Plan | SpiralPocketError]:
+    """Return a plan for each request, or what is the matter with it; the same as one by one.
+
+    Parameters
+    ----------
+    requests : sequence of PocketRequest
+    progress : callable, optional
+    helpers : int
+        Processes to start at most.
+
+    Raises
+    ------
+    CancelledError
+        If `progress` says so; the processes are ended.
+    """
+    work = _Work(requests)
+    count = min(helpers, len(requests) - 1)
+    # asked here: two threads that import the same library at once may find it half there
+    alike = versions() if count > 0 else ()
+    crew = [_Helper(work, alike) for _ in range(count)]
+    try:
+        for helper in crew:
+            helper.start()
+        while not work.is_done:
+            number = work.take()
+            if number is None:
+                work.wait(WAIT)
+                if progress is not None and progress(*work.how_far("")):
+                    raise CancelledError(
+                        "Stopped by the user.", "Recompute the operation to try again."
+                    )
+            else:
+                work.finish(number, _planned(requests[number], work.progress_of(number, progress)))
+    finally:
+        for helper in crew:
+            helper.stop()
+    return [pickle.loads(o) if isinstance(o, bytes) else o for o in work.outcomes]
+
+
+def _planned(request: PocketRequest, progress: Progress | None) -> Plan | SpiralPocketError:
+    """Return a pocket's plan, or what is the matter with it."""
+    try:
+        return plan(request, progress)
+    except CancelledError:
+        raise
+    except SpiralPocketError as error:
+        return error
+
+
+class _Work:
+    """The pockets: which wait, which are being planned, and what has come of them."""
+
+    def __init__(self, requests: Sequence[PocketRequest]) -> None:
+        self.requests = requests
+        self.outcomes: list[Any] = [None] * len(requests)
+        self._waiting = list(range(len(requests)))
+        self._fractions = [0.0] * len(requests)
+        self._changed = threading.Condition()
+
+    @property
+    def is_done(self) -> bool:
+        """Return whether all have come to something."""
+        with self._changed:
+            return all(outcome is not None for outcome in self.outcomes)
+
+    def take(self) -> int | None:
+        """Return the next one that nobody plans, None if there is none."""
+        with self._changed:
+            return self._waiting.pop(0) if self._waiting else None
+
+    def put_back(self, number: int) -> None:
+        """Let somebody else plan one."""
+        with self._changed:
+            self._waiting.insert(0, number)
+            self._fractions[number] = 0.0
+            self._changed.notify_all()
+
+    def finish(self, number: int, outcome: Plan | bytes | SpiralPocketError) -> None:
+        """Note what has come of one: its plan, perhaps pickled, or why there is none."""
+        with self._changed:
+            self.outcomes[number] = outcome
+            self._fractions[number] = 1.0
+            self._changed.notify_all()
+
+    def advance(self, number: int, fraction: float) -> None:
+        """Note how far one is."""
+        self._fractions[number] = fraction
+
+    def wait(self, seconds: float) -> None:
+        """Wait until one is done or put back, at most so long."""
+        with self._changed:
+            if not self._waiting and any(outcome is None for outcome in self.outcomes):
+                self._changed.wait(seconds)
+
+    def how_far(self, stage: str) -> tuple[float, str]:
+        """Return the share of all that is done, and the stage with the number of the pocket."""
+        count = len(self.requests)
+        done = sum(outcome is not None for outcome in self.outcomes)
+        prefix = f"Pocket {min(done + 1, count)} of {count}: " if count > 1 else ""
+        return sum(self._fractions) / count, prefix + stage
+
+    def progress_of(self, number: int, progress: Progress | None) -> Progress | None:
+        """Return the progress of one of them as a part of the whole."""
+        if progress is None:
+            return None
+
+        def tell(fraction: float, stage: str) -> bool:
+            self.advance(number, fraction)
+            return progress(*self.how_far(stage))
+
+        return tell
+
+
+class _Helper(threading.Thread):
+    """A process that plans what waits, one pocket after the other, and the thread that leads it."""
+
+    def __init__(self, work: _Work, versions: tuple[str, ...]) -> None:
+        super().__init__(daemon=True)
+        self._work, self._versions = work, versions
+        self._process: subprocess.Popen[bytes] | None = None
+        self._is_stopped = False
+
+    def run(self) -> None:
+        """Lead a process of the first interpreter that is of use, until nothing waits."""
+        while not self._is_stopped:
+            python = Interpreters.best()
+            if python is None or self._has_led(python):
+                return
+            if not self._is_stopped:
+                Interpreters.refuse(python)
+
+    def stop(self) -> None:
+        """End the process and whatever it does."""
+        self._is_stopped = True
+        if self._process is not None:
+            self._process.kill()
+
+    def _has_led(self, python: str) -> bool:
+        """Let a process plan until nothing waits; return whether the interpreter is of use."""
+        try:
+            process = subprocess.Popen(
+                [python, "-u", str(SCRIPT)],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+            )
+        except OSError:
+            return False
+        self._process = process
+        try:
+            if self._is_stopped or not self._is_ready(process):
+                return False
+            while (number := self._work.take()) is not None and self._has_planned(process, number):
+                continue
+            return True
+        finally:
+            process.kill()
+            process.communicate()
+
+    def _is_ready(self, process: subprocess.Popen[bytes]) -> bool:
+        """Return whether a process works at all, and as this one does."""
+        _send(process, [p for p in sys.path if isinstance(p, str)])
+        return _received(process) == ("ready", self._versions)
+
+    def _has_planned(self, process: subprocess.Popen[bytes], number: int) -> bool:
+        """Have a pocket planned; where that fails put it back and return False."""
+        _send(process, ("packed_plan", self._work.requests[number]))
+        while (message := _received(process)) is not None:
+            kind, *content = message
+            if kind == "progress":
+                self._work.advance(number, content[0])
+            elif kind in ("done", "error"):
+                self._work.finish(number, content[0])
+                return True
+            else:
+                break  # an error in the add-on: it comes up again where it can be told
+        self._work.put_back(number)
+        return False
+
+
+def _send(process: subprocess.Popen[bytes], record: Any) -> None:
+    """Write a record; a process that is gone is found out when it does not answer."""
+    assert process.stdin is not None
+    with contextlib.suppress(OSError):
+        process.stdin.write(pickle.dumps(record, pickle.HIGHEST_PROTOCOL))
+        process.stdin.flush()
+
+
+def _received(process: subprocess.Popen[bytes]) -> tuple[Any, ...] | None:
+    """Return the next message; None if the process is gone, or none of ours."""
+    assert process.stdout is not None
+    head = process.stdout.read(8)
+    if len(head) < 8:
+        return None
+    (length,) = struct.unpack("<Q", head)
+    if length > LONGEST:
+        return None
+    data = process.stdout.read(length)
+    return pickle.loads(data) if len(data) == length else None

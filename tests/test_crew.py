@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pockets planned in several processes come out as they do one by one, whatever fails."""
+
+import os
+import signal
+import sys
+import time
+from dataclasses import fields
+
+import pytest
+from shapely import box
+
+from freecad_spiralpocket.beside import crew
+from freecad_spiralpocket.beside.crew import plan_together
+from freecad_spiralpocket.beside.interpreters import Interpreters
+from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.errors import CancelledError, SpiralPocketError
+from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest, Strategy
+
+
+def rectangle(width, height=20.0, stepover=2.4):
+    """Return the request for a rectangular pocket."""
+    return PocketRequest(
+        pocket=box(0, 0, width, height),
+        tool_diameter=6.0,
+        heights=Heights(8.0, 3.0, 0.0, -5.0, 6.0),
+        feeds=Feeds(50.0, 12.5, 83.0, 83.0),
+        cutting=Cutting(stepover=stepover),
+        strategy=Strategy.LINEAR_MORPH,
+    )
+
+
+MANY = [rectangle(16.0 + i) for i in range(4)]
+
+
+@pytest.fixture(autouse=True)
+def this_python(monkeypatch):
+    """Let the processes run the interpreter of the tests."""
+    monkeypatch.setattr(Interpreters, "left", [sys.executable])
+
+
+@pytest.fixture(scope="module")
+def alone():
+    """Return the paths planned here one by one."""
+    return [paths_of(plan(request)) for request in MANY]
+
+
+def paths_of(plan):
+    """Return all numbers of a plan's path, in bytes: where there is none, there is nan."""
+    path = plan.toolpath
+    return [getattr(path, f.name).tobytes() for f in fields(path)]
+
+
+class Watched:
+    """Counts what helpers begin and have planned; may do something as they begin one."""
+
+    def __init__(self, monkeypatch, meddle=lambda process: None):
+        self.begun = self.planned = 0
+        original = crew._Helper._has_planned
+
+        def has_planned(helper, process, number):
+            self.begun += 1
+            meddle(process)
+            done = original(helper, process, number)
+            self.planned += done
+            return done
+
+        monkeypatch.setattr(crew._Helper, "_has_planned", has_planned)
+
+    def progress(self, fraction, stage):
+        """Wait, as the tests' pockets are small, for a helper to have begun one."""
+        assert 0.0 <= fraction <= 1.0
+        until = time.monotonic() + 60
+        while not self.begun and time.monotonic() < until:
+            time.sleep(0.01)
+        return False
+
+
+def test_the_same_paths_in_the_same_order(alone, monkeypatch):
+    watched = Watched(monkeypatch)
+    plans = plan_together(MANY, watched.progress, helpers=2)
+    assert watched.planned > 0
+    assert [p.request for p in plans] == MANY
+    assert [paths_of(p) for p in plans] == alone
+
+
+def test_curves_come_back(monkeypatch):
+    watched = Watched(monkeypatch)
+    _, made = plan_together(MANY[:2], watched.progress, helpers=1)
+    assert watched.planned == 1
+    assert len(made.curves) == len(plan(MANY[1]).curves) > 0
+
+
+def test_what_cannot_be_cut_comes_back(monkeypatch):
+    watched = Watched(monkeypatch)
+    _, error = plan_together([MANY[0], rectangle(5.0)], watched.progress, helpers=1)
+    assert watched.planned == 1
+    assert isinstance(error, SpiralPocketError) and "does not fit" in str(error)
+    assert error.place is not None
+
+
+def test_pocket_of_a_process_that_ends_is_planned_here(alone, monkeypatch):
+    watched = Watched(monkeypatch, lambda p: (os.kill(p.pid, signal.SIGKILL), p.wait()))
+    plans = plan_together(MANY, watched.progress, helpers=2)
+    assert watched.planned == 0
+    assert [paths_of(p) for p in plans] == alone
+
+
+@pytest.mark.parametrize("useless", ["/bin/false", "/bin/cat", "/no/such/python"])
+def test_useless_interpreter_is_left_out(useless, monkeypatch):
+    monkeypatch.setattr(Interpreters, "left", [useless, sys.executable])
+    watched = Watched(monkeypatch)
+    plan_together(MANY, watched.progress, helpers=1)
+    assert watched.planned > 0 and Interpreters.left == [sys.executable]
+
+
+def test_other_libraries_are_refused(monkeypatch):
+    monkeypatch.setattr(crew, "versions", lambda: ("another",))
+    watched = Watched(monkeypatch)
+    assert len(plan_together(MANY, helpers=1)) == len(MANY)
+    assert watched.begun == 0 and not Interpreters.left
+
+
+def test_stopping_ends_the_processes(monkeypatch):
+    processes = []
+    Watched(monkeypatch, processes.append)
+    long = [rectangle(150.0, 150.0, 0.2)] * 3
+
+    def progress(fraction, stage):
+        time.sleep(0.02)
+        return len(processes) == 2
+
+    with pytest.raises(CancelledError):
+        plan_together(long, progress, helpers=2)
+    assert len(processes) == 2
+    for process in processes:
+        assert process.wait(5) is not None
+
+
+def test_error_in_the_add_on_is_raised_here(monkeypatch):
+    watched = Watched(monkeypatch)
+    broken = [MANY[0], "no request", "no request"]
+    with pytest.raises(AttributeError):
+        plan_together(broken, watched.progress, helpers=1)
+
+
+def test_one_pocket_needs_no_process(monkeypatch):
+    monkeypatch.setattr(crew, "_Helper", None)
+    assert len(plan_together(MANY[:1])) == 1
