@@ -139,7 +139,8 @@ def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> To
         rungs.append(levels)
     pieces = _split(toolpath, np.unique(np.concatenate([*cuts, idle.ravel()])))
     feeds, roles = toolpath.feeds[pieces.moves], toolpath.roles[pieces.moves]
-    roles = np.where(_are_within(pieces.middles, idle), np.int8(Role.LINK), roles)
+    in_air = _are_within(pieces.middles, idle) & (roles == Role.CUT)
+    roles = np.where(in_air, np.int8(Role.LINK), roles)
     planned = _whole(feeds * _ratio_at(pieces.middles, cuts, rungs))
     feeds = np.where(follows[pieces.moves], planned, feeds)
     feeds = np.where(roles == Role.LINK, rules.link_feed, feeds)
@@ -214,10 +215,14 @@ def _idle_spans(
     stations: Floats, roles: NDArray[np.int8], engagement: Measured, radius: float
 ) -> Floats:
     """Return from which to which station cuts meet no stock, shape (s, 2) [mm]."""
-    idle = (engagement.angles <= 0) & (roles[engagement.moves] == Role.CUT)
-    if len(idle) == 0:
-        return np.empty((0, 2))
-    spans = stations[np.array(_stretches(idle), np.int64).reshape(-1, 2)]
+    cuts = roles == Role.CUT
+    # rapids and ways down may have no samples: a span ends with the cuts that are in a row
+    row = np.cumsum(np.diff(cuts, prepend=False))[engagement.moves]
+    idle = (engagement.angles <= 0) & cuts[engagement.moves]
+    row = np.r_[0, np.where(idle, row, 0), 0]
+    first = np.flatnonzero((row[1:-1] > 0) & (row[1:-1] != row[:-2]))
+    last = np.flatnonzero((row[1:-1] > 0) & (row[1:-1] != row[2:]))
+    spans = stations[np.column_stack([first, last])]
     spans = spans[np.diff(spans)[:, 0] > IDLE * radius]
     return spans + IDLE_MARGIN * radius * np.array([1, -1])
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How hard a path loads the cutter: engagement and chip load at the floors, bite on the way down.
 
-Figures are weighted by length. What comes right after the cutter has arrived in the
-solid is entry: there a slot cannot be avoided, and it does not count.
+Figures are weighted by length. The end of the way down, and what comes right after the
+cutter has arrived in the solid, is entry: there a slot cannot be avoided, and it does not
+count.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from .toolpath import Kind, Role, Toolpath
 
 #: A height is a floor if the level motion there is at least this share of the longest.
 FLOOR_SHARE = 0.5
-#: Tool circumferences at a floor, after the cutter arrived in the solid, that are still entry.
+#: Tool circumferences at a floor, after the cutter arrived in the solid, that may still be entry.
 ENTRY_TURNS = 1.5
 
 
@@ -69,7 +70,8 @@ def measure_load(
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
     known = [section.z for section in request.sections] or [request.floor]
     at_floor = fed & _near_any(engagement.points[:, 2], floors(pieces, known))
-    judged = at_floor & _past_entry(engagement, at_floor, request.cutter_radius)
+    entry = toolpath.roles[engagement.moves] == Role.ENTRY
+    judged = at_floor & ~_is_entry(engagement, at_floor, entry, request.cutter_radius)
     angles, lengths, limit = engagement.angles, engagement.lengths, request.engagement_limit
     cuts = np.isin(toolpath.roles[engagement.moves], (Role.CUT, Role.FINISH))
     chips = chip_loads(toolpath, engagement, request.feeds.horizontal, limit)
@@ -113,11 +115,19 @@ def _near_any(z: Floats, levels: Floats) -> NDArray[np.bool_]:
     return np.abs(z[:, None] - levels[None, :]).min(axis=1) <= SAME_HEIGHT
 
 
-def _past_entry(engagement: Engagement, at_floor: NDArray[np.bool_], r: float) -> NDArray[np.bool_]:
-    """Return which samples come far enough after the last arrival in the solid."""
+def _is_entry(
+    engagement: Engagement, at_floor: NDArray[np.bool_], entry: NDArray[np.bool_], r: float
+) -> NDArray[np.bool_]:
+    """Return which samples count as entry.
+
+    All that come soon after an arrival in the solid, and those of the way down that come soon
+    after the first at the floor: a slot longer than that is judged as any cut.
+    """
     done = np.cumsum(np.where(at_floor, engagement.lengths, 0.0))
-    arrivals = np.where(at_floor & engagement.solid_arrivals, done, 0.0)
-    return done - np.maximum.accumulate(arrivals) > ENTRY_TURNS * 2 * np.pi * r
+    arrivals = np.where(at_floor & engagement.solid_arrivals, done, -np.inf)
+    soon = ENTRY_TURNS * 2 * np.pi * r
+    solid = done - np.maximum.accumulate(arrivals) <= soon
+    return np.asarray(solid | (entry & (done <= soon)))
 
 
 def _p99(values: Floats, lengths: Floats, chosen: NDArray[np.bool_]) -> float:

@@ -86,7 +86,7 @@ def _cut_room(
             builder.rapid(feeds.vertical_rapid, z=safe)
             builder.rapid(feeds.horizontal_rapid, *part.points[-1])
             builder.rapid(feeds.vertical_rapid, z=min(bottom + APPROACH, safe))
-            builder.line((*part.points[-1], bottom), feeds.vertical, Role.LINK)
+            builder.line((*part.points[-1], bottom), feeds.vertical, Role.ENTRY)
         else:
             feed = request.link_feed if part.role is Role.LINK else feeds.horizontal
             slack = ARC_SHARE * request.tolerance

@@ -70,7 +70,10 @@ def rest_of(wanted: PocketRequest, obj: Any, known: dict[Any, Any]) -> PocketReq
     around = wanted.stock
     if around is None:
         reach = AROUND * wanted.tool_diameter
-        around = shapely.buffer(shapely.box(*pocket.bounds), reach, join_style="mitre")
+        # walls that lean outwards are far beyond the floor
+        widest = [s.pocket if s.mouth is None else s.mouth for s in wanted.sections]
+        bounds = shapely.total_bounds([pocket, *widest])
+        around = shapely.buffer(shapely.box(*bounds), reach, join_style="mitre")
     parts = polygons_of(shapely.difference(around, cleared))
     return replace(wanted, stock=parts[0] if len(parts) == 1 else MultiPolygon(parts))
 

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from shapely import Point, Polygon, box
 
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, Plan, PocketRequest
+from freecad_spiralpocket.engine.toolpath import Kind, Role
 
 HEIGHTS = Heights(
     clearance=8.0, safe=3.0, start_depth=0.0, final_depth=-5.0, step_down=6.0, finish_depth=0.0
@@ -57,6 +58,20 @@ def lifts(result: Plan) -> int:
     z = np.concatenate([result.toolpath.start[2:], result.toolpath.points[:, 2]])
     top = result.request.heights.start_depth
     return int(((z[1:] > top) & (z[:-1] <= top)).sum())
+
+
+def assert_ways_down_are_fed(result: Plan) -> None:
+    """Fail where the cutter goes straight down faster than its vertical feed, or a rapid is none.
+
+    Only rapids, which are above what was cleared, may do so.
+    """
+    path, feeds = result.toolpath, result.request.feeds
+    steps = path.points - path.starts
+    rapid = path.kinds == Kind.RAPID
+    down = (steps[:, 2] < 0) & (np.hypot(steps[:, 0], steps[:, 1]) < 1e-9) & ~rapid
+    assert down.any()
+    assert path.feeds[down].max() <= feeds.vertical
+    assert (path.roles[rapid] == Role.AIR).all() and (path.roles[~rapid] != Role.AIR).all()
 
 
 @st.composite

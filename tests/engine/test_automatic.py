@@ -13,7 +13,17 @@ from hypothesis import HealthCheck, Phase, given, settings
 from shapely import LineString, Point, Polygon, box
 from shapely.affinity import rotate, translate
 from shapely.geometry.polygon import orient
-from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TRIANGLE, convex_pockets, lifts
+from shapes import (
+    CIRCLE,
+    DUMBBELL,
+    L_SHAPE,
+    RING,
+    SQUARE,
+    TRIANGLE,
+    assert_ways_down_are_fed,
+    convex_pockets,
+    lifts,
+)
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
@@ -69,6 +79,7 @@ def test_pocket_is_cleared_gently_without_lifts(name):
     assert report.engagement_p99 <= report.engagement_limit + math.radians(11)
     assert report.over_limit_share <= OVER
     assert lifts(result) == 1
+    assert_ways_down_are_fed(result)
 
 
 # each example takes a good part of a second: a failing one is told as it is, not shrunk

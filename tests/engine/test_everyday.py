@@ -12,10 +12,11 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
 from shapely import LineString, Point, Polygon, box
 from shapely.affinity import rotate, scale
-from shapes import lifts
+from shapes import assert_ways_down_are_fed, lifts
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan, planner
+from freecad_spiralpocket.engine.engagement import along_path
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.linking import Motion, link_times
 from freecad_spiralpocket.engine.model import Cutting, Plan, Strategy
@@ -81,10 +82,23 @@ def test_channels_that_meet_between_islands_are_cut_in_levels(width):
         box(-6 + width / 2, -10, 16 + width / 2, 14),
         box(-20, 14 + width, 20, 20 + width),
     ]
-    report = planned(FORKED.difference(shapely.union_all(islands))).report
+    result = planned(FORKED.difference(shapely.union_all(islands)))
+    report = result.report
+    assert lifts(result) > 1
+    assert_ways_down_are_fed(result)
     assert report.uncut_area < 0.01
     assert report.engagement_p99 < report.engagement_limit + math.radians(9)
     assert report.engagement_max < report.engagement_limit + math.radians(35)
+
+
+@pytest.mark.parametrize("side", [9.0, 12.0, 14.0])
+def test_no_cut_is_too_small_to_be_judged(side):
+    result = planned(box(0, 0, side, side))
+    request, path = result.request, result.toolpath
+    measured = along_path(path, 3.0, axial_depth=request.axial_depth, top=0.0)
+    cuts = np.isin(path.roles[measured.moves], (Role.CUT, Role.FINISH))
+    cuts &= np.abs(measured.points[:, 2] - request.floor) < 1e-6
+    assert result.report.engagement_max >= measured.angles[cuts].max() - 1e-9 > 0.0
 
 
 def test_blunt_tips_are_cut_wholly():

@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from shapely import box
 
+from freecad_spiralpocket.engine.engagement import along_path
 from freecad_spiralpocket.engine.feed import (
     DEAD_BAND,
     RUNG,
@@ -22,7 +24,7 @@ from freecad_spiralpocket.engine.feed import (
 )
 from freecad_spiralpocket.engine.runs import lengthen_runs
 from freecad_spiralpocket.engine.stations import fractions_of, moves_at, points_at, stations_of
-from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
+from freecad_spiralpocket.engine.toolpath import Kind, Role, Toolpath, ToolpathBuilder
 
 RADIUS, LIMIT, FEED, LINK_FEED = 3.0, math.radians(60.0), 50.0, 80.0
 SPACING = 0.25
@@ -139,6 +141,25 @@ def test_a_cut_that_meets_no_stock_for_long_is_a_link(mode, role):
     assert planned.lengths[links].sum() == pytest.approx(30 - 0.2 * RADIUS, abs=2 * SPACING)
     assert (ends - planned.lengths)[links].min() > 30 and ends[links].max() < 60
     assert (planned.feeds[links] == LINK_FEED).all()
+
+
+@pytest.mark.parametrize("mode", list(FeedMode))
+def test_ways_down_between_cuts_without_stock_keep_their_feeds(mode):
+    builder = ToolpathBuilder((0.0, 0.0, 5.0))
+    builder.line((0.0, 0.0, 0.0), 0.1 * FEED, Role.ENTRY)
+    builder.line((40.0, 0.0, 0.0), FEED, Role.CUT)
+    builder.rapid(LINK_FEED, z=5.0)
+    builder.rapid(LINK_FEED, y=20.0)
+    builder.line((40.0, 20.0, 0.0), 0.1 * FEED, Role.ENTRY)
+    builder.line((0.0, 20.0, 0.0), FEED, Role.CUT)
+    path = builder.build()
+    # air from X20 on, and no sample on moves straight up and down
+    engagement = along_path(path, RADIUS, axial_depth=5.0, top=5.0, stock=box(-40, -40, 20, 60))
+    planned = plan_feeds(path, engagement, rules(mode))
+    assert (planned.roles == Role.LINK).sum() >= 2
+    entries = planned.roles == Role.ENTRY
+    assert (planned.feeds[entries] <= 0.1 * FEED).all() and entries.sum() == 2
+    assert ((planned.roles == Role.AIR) == (planned.kinds == Kind.RAPID)).all()
 
 
 @pytest.mark.parametrize("mode", list(FeedMode))

@@ -2,13 +2,14 @@
 """Pockets that reach out of the stock: cleared to the edge, begun in the air, proved against it."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import shapely
 from shapely import Point, box
 from shapely.geometry.polygon import orient
-from shapes import lifts, rounded
+from shapes import HEIGHTS, assert_ways_down_are_fed, lifts, rounded
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import open_sides, plan
@@ -65,12 +66,22 @@ def assert_sound(made):
     assert report.rapid_hit == 0 and report.link_hit == 0
     assert report.engagement_p99 <= report.engagement_limit + math.radians(9)
     assert lifts(made) == 1
+    assert_ways_down_are_fed(made)
 
 
 @pytest.mark.parametrize("mode", CutMode)
 @pytest.mark.parametrize("name", POCKETS)
 def test_pocket_is_cleared_to_the_edge_of_the_stock(name, mode):
     assert_sound(plan(request(name, cutting=Cutting(2.4, cut_mode=mode))))
+
+
+@pytest.mark.parametrize("mode", CutMode)
+def test_between_levels_the_cutter_is_lifted_and_fed_down(mode):
+    heights = replace(HEIGHTS, step_down=2.5)
+    made = plan(request("round boss", cutting=Cutting(2.4, cut_mode=mode), heights=heights))
+    assert lifts(made) == 2
+    assert_ways_down_are_fed(made)
+    assert made.report.gouge <= 0.01 and made.report.uncut_area < 0.01
 
 
 @pytest.fixture

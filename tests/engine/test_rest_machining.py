@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 from shapely import Point, Polygon, box
-from shapes import lifts
+from shapes import assert_ways_down_are_fed, lifts
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
@@ -74,6 +74,7 @@ def test_the_rest_is_cleared_and_takes_less_time(name, left_on_walls, mode):
     assert left.buffer(-0.01).area < 0.01
     report = result.report
     assert report.gouge < 0.01 and report.rapid_hit == 0 and report.uncut_area < 0.02
+    assert_ways_down_are_fed(result)
     assert seconds(result) < 0.75 * seconds(plan(replace(asked, stock=None)))
 
 

@@ -23,6 +23,8 @@ from solid_oracle import Surface, gouges, places
 from freecad_spiralpocket import api
 from freecad_spiralpocket.engine.errors import AlreadyClearedError
 from freecad_spiralpocket.op import compat
+from freecad_spiralpocket.op.foresight import requests_of
+from freecad_spiralpocket.op.rest import AROUND
 
 LARGE, SMALL = 16.0, 6.0
 
@@ -172,3 +174,21 @@ def test_slanted_walls_count_by_the_floor(doc):
     rest = cut(job, part, small, StepDown=3.0, UseRestMachining=True)
     assert len(gouges(Surface(shape), places(motion(rest), 1.5), SMALL / 2, 0.01)) == 0
     assert rest.Proxy.plans[0].report.uncut_area < 0.05
+
+
+def test_walls_that_flare_far_beyond_the_floor_are_stock(doc):
+    def outline(off, z):
+        corners = [(-off, -off), (20 + off, -off), (20 + off, 20 + off), (-off, 20 + off)]
+        return Part.makePolygon([Vector(x, y, z) for x, y in [*corners, corners[0]]])
+
+    hollow = Part.makeLoft([outline(0, -DEPTH), outline(150, 0)], True)
+    shape = Part.makeBox(350, 350, 20, Vector(-165, -165, -20)).cut(hollow)
+    job, part, large, small = job_of(doc, shape)
+    first = cut(job, part, large, StepDown=DEPTH)
+    rest = cut(job, part, small, StepDown=DEPTH, UseRestMachining=True)
+    rest.StepDown = DEPTH / 3
+    (asked,) = requests_of(rest)[0]
+    top = asked.sections[0]
+    assert top.pocket.bounds[0] < -AROUND * SMALL - SMALL
+    standing = top.pocket.difference(swept(first, LARGE).buffer(0.1))
+    assert asked.stock.buffer(0.01).covers(standing)
