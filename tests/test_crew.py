@@ -4,6 +4,7 @@
 import os
 import signal
 import sys
+import threading
 import time
 from dataclasses import fields
 
@@ -103,6 +104,23 @@ def test_pocket_of_a_process_that_ends_is_planned_here(alone, monkeypatch):
     watched = Watched(monkeypatch, lambda p: (os.kill(p.pid, signal.SIGKILL), p.wait()))
     plans = plan_together(MANY, watched.progress, helpers=2)
     assert watched.planned == 0
+    assert [paths_of(p) for p in plans] == alone
+
+
+def test_pocket_of_a_helper_that_fails_is_planned_here(alone, monkeypatch):
+    def fail(process):
+        raise MemoryError
+
+    monkeypatch.setattr(threading, "excepthook", lambda _: None)
+    watched = Watched(monkeypatch)
+    receive, received = crew._received, []
+    monkeypatch.setattr(
+        crew,
+        "_received",
+        lambda p: received.append(p) or (receive if len(received) == 1 else fail)(p),
+    )
+    plans = plan_together(MANY, watched.progress, helpers=1)
+    assert watched.begun == 1 and watched.planned == 0
     assert [paths_of(p) for p in plans] == alone
 
 

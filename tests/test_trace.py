@@ -2,6 +2,7 @@
 """What the window draws of a plan is the plan: same way, same time, same ground."""
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from shapely import Point, Polygon, box
 sys.path.insert(0, str(Path(__file__).parent / "engine"))
 import shapes
 
+from freecad_spiralpocket.beside.tasks import Tasks
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.draft import draft, openings
 from freecad_spiralpocket.engine.model import CutMode, Cutting
@@ -101,3 +103,13 @@ def test_draft_of_conventional_milling_is_not_mirrored_away():
     made = draft(shapes.request(shapes.L_SHAPE, cutting=cutting))
     points = np.concatenate(made.laps)
     assert points.min() > 0
+
+
+def test_draft_of_a_pocket_in_other_stock_is_made_anew():
+    tasks = Tasks()
+    closed = shapes.request(box(0, 0, 60, 24))
+    opened = replace(closed, stock=box(-20, -20, 50, 50), beyond=box(50, 0, 60, 24))
+    for asked in (closed, opened, closed):
+        (made,) = tasks.draft(asked, lambda *_: False).entries
+        (fresh,) = draft(asked).entries
+        np.testing.assert_array_equal(made, fresh)

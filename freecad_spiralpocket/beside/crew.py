@@ -10,7 +10,6 @@ lost. A process that ends too early or fails puts its pocket back, and it is pla
 from __future__ import annotations
 
 import contextlib
-import os
 import pickle
 import struct
 import subprocess
@@ -22,11 +21,11 @@ from typing import Any
 from ..engine import plan
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Plan, PocketRequest, Progress
-from .interpreters import SCRIPT, Interpreters
+from .interpreters import SCRIPT, Interpreters, cores
 from .tasks import versions
 
 #: Processes beside this one: a core each, but some memory too.
-HELPERS = max(0, min(7, (os.cpu_count() or 1) - 1))
+HELPERS = min(7, cores() - 1)
 LONGEST = 1 << 32  # bytes of a message: more is no message of ours
 WAIT = 0.05  # s, how often this process asks whether to stop while it waits for others
 
@@ -199,19 +198,29 @@ class _Helper(threading.Thread):
         return _received(process) == ("ready", self._versions)
 
     def _has_planned(self, process: subprocess.Popen[bytes], number: int) -> bool:
-        """Have a pocket planned; where that fails put it back and return False."""
-        _send(process, ("packed_plan", self._work.requests[number]))
+        """Have a pocket planned; return whether that went well, else it is put back."""
+        outcome = None
+        try:
+            _send(process, ("packed_plan", self._work.requests[number]))
+            outcome = self._outcome(process, number)
+        finally:
+            if outcome is None:
+                self._work.put_back(number)
+        if outcome is not None:
+            self._work.finish(number, outcome)
+        return outcome is not None
+
+    def _outcome(
+        self, process: subprocess.Popen[bytes], number: int
+    ) -> bytes | SpiralPocketError | None:
+        """Wait for the outcome; None if the process is gone or has come upon an error in itself."""
         while (message := _received(process)) is not None:
             kind, *content = message
             if kind == "progress":
                 self._work.advance(number, content[0])
-            elif kind in ("done", "error"):
-                self._work.finish(number, content[0])
-                return True
             else:
-                break  # an error in the add-on: it comes up again where it can be told
-        self._work.put_back(number)
-        return False
+                return content[0] if kind in ("done", "error") else None
+        return None
 
 
 def _send(process: subprocess.Popen[bytes], record: Any) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which Python interpreters may run a process beside this FreeCAD.
+"""Which Python interpreters may run a process beside this FreeCAD, and on how many cores.
 
 It must be the one that FreeCAD carries, or one with the same libraries in the same
 versions: the path must not depend on where it was planned. Whether that is so is known
@@ -50,6 +50,13 @@ def likely() -> list[str]:
     paths = [str(path) for path in found if os.access(path, os.X_OK) and path.is_file()]
     paths += filter(None, map(shutil.which, names))
     return list(dict.fromkeys(paths))
+
+
+def cores() -> int:
+    """Return how many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def _freecads_own() -> list[Path]:

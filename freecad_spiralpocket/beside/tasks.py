@@ -13,6 +13,7 @@ import pickle
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module, metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -57,14 +58,17 @@ class Tasks:
         """Return how a pocket is opened, as the last time if its walls have hardly moved."""
         from ..engine.draft import openings, reopened
 
+        stock = request.cutting.stock_to_leave
+        # other step-overs and depths may have another start; a draft does with the one it has
         key = (
             request.pocket,
             request.tool_diameter,
             request.cutting.cut_mode,
             request.entry,
             request.start_point,
+            request.stock,
+            request.beyond,
         )
-        stock = request.cutting.stock_to_leave
         known = self._openings.pop(key, {})
         if stock not in known:
             first = next(iter(known), math.inf)
@@ -114,10 +118,13 @@ LOADED = newest_source()
 
 def versions() -> tuple[str, ...]:
     """Return what must be the same here and in FreeCAD for the same path to come out."""
-    import numpy
-    import scipy
-    import shapely
-
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
-    libraries = (module.__version__ for module in (numpy, scipy, shapely))
-    return python, *libraries, str(LOADED)
+    return python, *map(_version, ("numpy", "scipy", "shapely")), str(LOADED)
+
+
+def _version(library: str) -> str:
+    """Return a library's version, without loading it if that can be: scipy takes half a second."""
+    try:
+        return metadata.version(library)
+    except metadata.PackageNotFoundError:
+        return str(import_module(library).__version__)

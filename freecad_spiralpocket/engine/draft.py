@@ -42,7 +42,7 @@ ALONG_WALL = 0.03
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Opening:
-    """How a region is opened; depends neither on the step-over nor on feeds.
+    """How a region is opened; of use for other step-overs, depths and feeds too.
 
     Attributes
     ----------

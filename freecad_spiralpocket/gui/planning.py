@@ -8,10 +8,10 @@ what the preview has shown and going back to an earlier value costs nothing.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from typing import Any
 
+from ..beside.interpreters import cores
 from ..beside.tasks import Drawn
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Plan, PocketRequest, Progress
@@ -20,9 +20,9 @@ from .lane import Job, Lane
 #: So many proved plans are kept.
 KEPT = 60
 #: Processes that prove; one core is left to the window and the drafts.
-PROVERS = max(1, min(4, (os.cpu_count() or 2) - 1))
+PROVERS = max(1, min(4, cores() - 1))
 #: Processes that draft, where there are many pockets: proofs and the window wait meanwhile.
-DRAFTERS = max(1, min(3, os.cpu_count() or 2))
+DRAFTERS = max(1, min(3, cores()))
 WAIT = 20  # ms, how long Stop may go unheard
 
 drafts = Lane(DRAFTERS)
