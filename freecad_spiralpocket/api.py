@@ -118,8 +118,7 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
         If an active spiral pocket has no path, or none of the operations has one; if there is no
         such post-processor, it fails or writes nothing; or if the file cannot be written.
     """
-    if any("Touched" in op.State for op in job.Operations.Group):
-        job.Document.recompute()
+    _compute_what_has_changed(job)
     _check_paths(job)
     with compat.active_document(job.Document):
         try:
@@ -142,12 +141,40 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
     return gcode
 
 
+def _compute_what_has_changed(job: Any) -> None:
+    """Recompute the document if an operation needs it, and all that cut a rest.
+
+    What operations before them leave is no link in the document, so that FreeCAD does not know
+    when a rest has changed; a plan for the same rest is taken over.
+    """
+    if any("Touched" in op.State for op in job.Operations.Group):
+        job.Document.recompute()
+    for op in _active(job):
+        if _is_ours(op) and op.UseRestMachining:
+            op.touch()
+            op.recompute()
+
+
+def _active(job: Any) -> list[Any]:
+    return [op for op in job.Operations.Group if getattr(op, "Active", True)]
+
+
+def _is_ours(op: Any) -> bool:
+    return isinstance(getattr(op, "Proxy", None), operation.ObjectSpiralPocket)
+
+
 def _check_paths(job: Any) -> None:
-    """Refuse to write a program that would do nothing, or leave a pocket out."""
-    active = [op for op in job.Operations.Group if getattr(op, "Active", True)]
+    """Refuse to write a program that would do nothing, is out of date, or leaves a pocket out."""
+    active = _active(job)
     for op in active:
-        proxy = getattr(op, "Proxy", None)
-        if isinstance(proxy, operation.ObjectSpiralPocket) and not compat.has_motion(op.Path):
+        failed = next((o for o in (op, *op.OutListRecursive) if not o.isValid()), None)
+        if failed is not None:
+            raise SetupError(
+                f"{failed.Label} could not be computed: the path of {op.Label} may be out of date.",
+                "FreeCAD's report view says why; mend it, or unset Active to do without "
+                "the operation.",
+            )
+        if _is_ours(op) and not compat.has_motion(op.Path):
             why = next(iter(op.Notices), "It was not computed.")
             raise SetupError(
                 f"{op.Label} has no path. {why}", "Mend it, or unset Active to do without it."

@@ -167,17 +167,18 @@ def tool_controller(job: Any, diameter: float | None) -> Any:
 
 def set_speeds(controller: Any, args: argparse.Namespace) -> None:
     """Set the speeds that were given, and those that the tool controller lacks."""
-    feed = args.feed or (0 if controller.HorizFeed.Value else FEED)
-    plunge = args.plunge or PLUNGE_SHARE * feed
-    rapid = args.rapid or (0 if controller.HorizRapid.Value else RAPID)
-    for value, names in (
-        (feed, ["HorizFeed"]),
-        (plunge, ["VertFeed"]),
-        (rapid, ["HorizRapid", "VertRapid"]),
+    feed = args.feed or 60 * controller.HorizFeed.Value or FEED
+    # a feed that is given changes the plunge with it
+    plunge = args.plunge or (PLUNGE_SHARE * args.feed if args.feed else 0)
+    for name, given, default in (
+        ("HorizFeed", args.feed, feed),
+        ("VertFeed", plunge, PLUNGE_SHARE * feed),
+        ("HorizRapid", args.rapid, RAPID),
+        ("VertRapid", args.rapid, RAPID),
     ):
-        for name in names if value else ():
+        if given or not getattr(controller, name).Value:
             controller.setExpression(name, None)
-            setattr(controller, name, value / 60)
+            setattr(controller, name, (given or default) / 60)
     if args.spindle:
         controller.SpindleSpeed = args.spindle
 

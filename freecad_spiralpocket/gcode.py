@@ -3,7 +3,8 @@
 
 Understands what posts write for 2.5D milling: G0 to G3 in the XY plane with I and J or R,
 absolute or incremental, millimeters or inches, modal words, comments. It does not know
-subprograms, variables, cutter compensation and canned cycles, and says so.
+subprograms, variables, cutter compensation and canned cycles, and says so. Ways in the
+machine's own coordinates (G28, G30, G53) are left out: where they lead is not in the program.
 """
 
 from __future__ import annotations
@@ -22,6 +23,8 @@ RAPID = 5000 / 60
 
 _COMMENT = re.compile(r"\([^)]*\)|;.*")
 _WORD = re.compile(r"([A-Z])\s*([-+]?(?:\d+\.?\d*|\.\d+))")
+_SUBPROGRAMS = {("M", 97.0), ("M", 98.0)}
+_MACHINE_G = {28, 30, 53}
 _IGNORED_G = {4, 17, 28, 30, 40, 43, 49, 53, 54, 55, 56, 57, 58, 59, 61, 61.1, 64, 80, 94, 98, 99}
 
 
@@ -49,7 +52,7 @@ def parse_program(text: str, rapid: float = RAPID, feed: float = 0.0) -> Toolpat
         if not line or line[0] in "%/":
             continue
         try:
-            reader.take([(k, float(v)) for k, v in _WORD.findall(line)])
+            reader.take(_words(line))
         except _NotUnderstoodError as error:
             raise RequestError(
                 f"Line {number} of the program: {error}.", f"It reads: {raw}"
@@ -61,6 +64,18 @@ def parse_program(text: str, rapid: float = RAPID, feed: float = 0.0) -> Toolpat
 
 class _NotUnderstoodError(Exception):
     """A word that the reader does not know."""
+
+
+def _words(line: str) -> list[tuple[str, float]]:
+    """Return the letters and numbers of a line."""
+    rest = _WORD.sub("", line).strip()
+    if rest:
+        raise _NotUnderstoodError(f"{rest.split()[0]} is not understood")
+    words = [(letter, float(value)) for letter, value in _WORD.findall(line)]
+    for word in words:
+        if word in _SUBPROGRAMS:
+            raise _NotUnderstoodError(f"subprograms (M{word[1]:g}) are not understood")
+    return words
 
 
 class _Reader:
@@ -79,6 +94,8 @@ class _Reader:
     def take(self, words: list[tuple[str, float]]) -> None:
         """Carry out one line."""
         values: dict[str, float] = {}
+        if any(letter == "G" and value in _MACHINE_G for letter, value in words):
+            words = [(letter, value) for letter, value in words if letter not in "XYZ"]
         for letter, value in words:
             if letter == "G":
                 self._set_mode(value)

@@ -24,11 +24,13 @@ from shapely import Polygon
 from . import gcode, machines
 from .engine.errors import RequestError, SetupError, SpiralPocketError
 from .engine.force import MATERIALS, Cutter
+from .engine.stepover import engagement_angle
 from .engine.toolpath import Toolpath
 from .study import Setup, Study
 
 #: Where the program does not say [1/min].
 SPINDLE_SPEED = 10_000.0
+MACHINE = "vmc"
 
 _STYLE = """body{font:15px/1.5 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em}
 table{border-collapse:collapse}td{padding:.15em 1.5em .15em 0}img{max-width:100%}
@@ -46,6 +48,8 @@ class _Source:
     top: float | None = None
     stepover: float | None = None
     stock: Polygon | None = None
+    machine: str | None = None
+    climb: bool = True
 
 
 def parser() -> argparse.ArgumentParser:
@@ -76,7 +80,7 @@ def parser() -> argparse.ArgumentParser:
     add("--top", type=float, metavar="Z", help="top of the stock, 0 if not given")
     add("--spindle", type=float, metavar="RPM", help="spindle speed")
     add("--conventional", action="store_true", help="the program mills conventionally")
-    add("--machine", default="vmc", help="preset, such as hobby_router")
+    add("--machine", help=f"preset, such as hobby_router; the operation's own or {MACHINE}")
     add("--machines", type=Path, metavar="FOLDER", help="folder with presets of your own")
     add("--material", default=next(iter(MATERIALS)), choices=list(MATERIALS))
     return p
@@ -163,7 +167,7 @@ def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
     is_document = args.file.suffix.lower() == ".fcstd"
     source = _from_document(args.file, args.operation) if is_document else _from_program(args.file)
 
-    def pick(name: str, default: float | None) -> float | None:
+    def pick(name: str, default: Any) -> Any:
         given, found = getattr(args, name), getattr(source, name, None)
         return given if given is not None else found if found is not None else default
 
@@ -177,17 +181,17 @@ def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
     if not depth > 0:
         raise RequestError("The program never goes below the top of the stock.", "Give --top.")
     stepover = pick("stepover", None)
-    limit = np.nan if stepover is None else float(np.arccos(max(-1.0, 1 - 2 * stepover / diameter)))
+    limit = np.nan if stepover is None else engagement_angle(stepover, diameter / 2)
     return source.toolpath, Setup(
         cutter=Cutter(diameter, args.flutes, np.radians(args.helix)),
-        machine=machines.load(args.machine, args.machines),
+        machine=machines.load(pick("machine", MACHINE), args.machines),
         material=MATERIALS[args.material],
         spindle_speed=pick("spindle_speed", SPINDLE_SPEED / 60),
         axial_depth=depth,
         top=top,
         stock=getattr(source, "stock", None),
         engagement_limit=limit,
-        climb=not args.conventional,
+        climb=source.climb and not args.conventional,
     )
 
 
@@ -248,6 +252,8 @@ def _from_operation(op: Any) -> _Source:
         top=start,
         stepover=_stepover(op, diameter),
         stock=_stock(op),
+        machine=getattr(op, "Machine", None),
+        climb=getattr(op, "CutMode", "Climb") == "Climb",
     )
 
 

@@ -48,6 +48,11 @@ def test_radius_word_takes_the_short_or_the_long_way(radius, turn):
     assert abs(path.sweeps).sum() == pytest.approx(turn * math.pi)
 
 
+def test_ways_in_the_machines_coordinates_are_left_out():
+    path = parse_program("G0 X5 Y5 Z9\nG1 Z1 F100\nG53 G0 Z0\nG28 G91 X0 Y0\nG90 G0 Z9")
+    assert path.points.tolist() == [[5, 5, 1], [5, 5, 9]]
+
+
 def test_absolute_centers():
     path = parse_program("G90.1\nG0 X15 Y0 Z0\nG3 X10 Y5 I10 J0 F100")
     np.testing.assert_allclose(path.centers, [[10, 0]])
@@ -60,6 +65,9 @@ def test_absolute_centers():
         ("G0 X1\nG1 X2", "Line 2.*feed"),
         ("G18\nG0 X1", "Line 1.*G18"),
         ("M3 S1000", "no motion"),
+        ("G0 X1\nG1 X#1 F100", "Line 2.*#1"),
+        ("G0 X1\nG1 X[1+2] Y3 F100", r"Line 2.*\["),
+        ("G0 X1\nM98 P100", "Line 2.*subprograms"),
     ],
 )
 def test_what_is_not_understood_is_refused(program, message):

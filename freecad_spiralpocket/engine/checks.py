@@ -7,6 +7,7 @@ What a machinist can get wrong becomes an error in the machinist's words.
 from __future__ import annotations
 
 import math
+from dataclasses import fields
 
 import numpy as np
 from shapely import Polygon, get_coordinates, is_valid_reason
@@ -69,7 +70,7 @@ def _check_numbers(request: PocketRequest) -> None:
             f"A helix angle of {math.degrees(request.entry.helix_angle):g} degrees cannot be cut.",
             "Set HelixAngle above 0 and below 90 degrees; 5 is usual.",
         )
-    if not request.entry.slot_bite >= 0:
+    if not 0 <= request.entry.slot_bite < math.inf:
         raise RequestError("The slot bite is negative.", "Set SlotBite to 0 to have it found.")
     if request.axial_depth > MOST_LEVELS * request.entry.slot_bite > 0:
         raise RequestError(
@@ -116,6 +117,13 @@ def _check_positive(name: str, value: float, hint: str) -> None:
 
 def _check_heights(request: PocketRequest) -> None:
     h = request.heights
+    for field in fields(h):
+        value = getattr(h, field.name)
+        if not math.isfinite(value):
+            raise RequestError(
+                f"A depth or height is {value:g}; it must be a number of millimeters.",
+                "Set all depths and heights.",
+            )
     floor = h.final_depth + request.cutting.floor_stock
     if h.final_depth >= h.start_depth:
         raise RequestError(

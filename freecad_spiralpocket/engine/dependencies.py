@@ -19,7 +19,7 @@ _HINT = (
 )
 
 
-def require(name: str) -> ModuleType:
+def require(name: str, hint: str = _HINT) -> ModuleType:
     """Return the library `name`.
 
     Raises
@@ -30,12 +30,12 @@ def require(name: str) -> ModuleType:
     try:
         return import_module(name)
     except ImportError as error:
-        raise _missing(name) from error
+        raise _missing(name, hint) from error
 
 
-def _missing(name: str) -> SetupError:
+def _missing(name: str, hint: str = _HINT) -> SetupError:
     return SetupError(
-        f"Spiral Pocket needs the Python library {name}, which this FreeCAD lacks.", _HINT
+        f"Spiral Pocket needs the Python library {name}, which this FreeCAD lacks.", hint
     )
 
 

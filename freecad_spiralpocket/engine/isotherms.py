@@ -36,6 +36,11 @@ UNKNOWNS, COARSEST, MOST = 12_000, 0.5, 60_000
 DEVIATION, LARGEST_DEVIATION = 0.04, 0.5
 #: It is halved so often until laps do not cross themselves.
 HALVINGS = 3
+#: Where the library is missing that finds the isotherms on the grid.
+_NO_CONTOURS = (
+    "It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose "
+    "another strategy."
+)
 #: Between the points that are fitted a lap may be so much farther from its isotherm, and where it
 #: keeps inside of the one before, and by so much more over the grid's spacing, as the contour's
 #: chords cut its bends; one in so many of its points is looked at.
@@ -128,8 +133,7 @@ def family_of(
     spacing = max(min(even, COARSEST * stepover), math.sqrt(rounded.area / MOST))
     field = solve(rounded, spacing)
     values = np.ma.masked_invalid(field.values)
-    # comes with matplotlib 3.6, which not all FreeCADs have
-    contours = require("contourpy").contour_generator(
+    contours = require("contourpy", _NO_CONTOURS).contour_generator(
         *field.xy, values, line_type="Separate", corner_mask=False
     )
     return Family(field, contours, rounded, request, deviation)

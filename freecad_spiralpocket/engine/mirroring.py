@@ -9,7 +9,7 @@ from shapely import Polygon
 from shapely.affinity import scale
 from shapely.geometry.polygon import orient
 
-from .model import PocketRequest
+from .model import PocketRequest, Section
 
 
 def mirrored(shape: Polygon) -> Polygon:
@@ -26,4 +26,10 @@ def mirrored_request(request: PocketRequest) -> PocketRequest:
         start_point=None if start is None else (-start[0], start[1]),
         stock=None if stock is None else scale(stock, -1.0, 1.0, origin=(0.0, 0.0)),
         beyond=None if beyond is None else scale(beyond, -1.0, 1.0, origin=(0.0, 0.0)),
+        sections=tuple(_mirrored_section(section) for section in request.sections),
     )
+
+
+def _mirrored_section(section: Section) -> Section:
+    mouth = None if section.mouth is None else mirrored(section.mouth)
+    return replace(section, pocket=mirrored(section.pocket), mouth=mouth)

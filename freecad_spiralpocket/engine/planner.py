@@ -200,8 +200,8 @@ def _refuse_bad(proved: Proved, request: PocketRequest) -> None:
     hint = "Try another step-over or strategy, and please report this pocket."
     if gouge:
         raise ProofError(
-            f"The path was made, but would cut {report.gouge:.3f} mm into the wall; it is not "
-            "handed out.",
+            f"The path was made, but at {{at}} would cut {report.gouge:.3f} mm into a wall or the "
+            "floor; it is not handed out.",
             hint,
             report.gouge_place,
         )

@@ -209,7 +209,7 @@ TABLE = (
     _result("UncutArea", "Float", "Area within the cutter's reach left standing, in mm^2", 0.0),
     _result("Gouge", "Length", "How far the cutter passes the walls, measured", 0.0),
     _result("PathLength", "Length", "Length of all cutting moves", 0.0),
-    _result("MachiningTime", "Float", "Time of all moves at their own feeds, in seconds", 0.0),
+    _result("MachiningTime", "Float", "Time of the path on the chosen machine, in seconds", 0.0),
     _result("Notices", "StringList", "What the machinist should know about this path", []),
     Property("SchemaVersion", "App::PropertyInteger", "Internal", "Version of these properties", 0),
 )

@@ -55,10 +55,10 @@ def rest_of(wanted: PocketRequest, obj: Any, known: dict[Any, Any]) -> PocketReq
     rest: shapely.Geometry = pocket
     for operation, diameter in _cutters_before(obj):
         path = operation.Path
-        extent = str(path.BoundBox)
-        key = (operation.Name, path.Size, path.Length, extent, diameter, rest.wkb, floor)
+        program = path.toGCode()
+        key = (program, diameter, rest.wkb, floor, wanted.axial_depth)
         if key not in known:
-            pieces = _pieces(path.toGCode(), diameter / 2, floor, wanted.axial_depth)
+            pieces = _pieces(program, diameter / 2, floor, wanted.axial_depth)
             known[key] = rest
             if pieces is not None:
                 known[key] = uncut_floor(rest, pieces, floor + SHALLOW, diameter / 2, 0.0)

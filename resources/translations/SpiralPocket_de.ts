@@ -109,8 +109,8 @@
         <translation>Länge aller Schnittwege</translation>
     </message>
     <message>
-        <source>Time of all moves at their own feeds, in seconds</source>
-        <translation>Zeit aller Wege mit ihren Vorschüben, in Sekunden</translation>
+        <source>Time of the path on the chosen machine, in seconds</source>
+        <translation>Zeit des Pfades auf der gewählten Maschine, in Sekunden</translation>
     </message>
     <message>
         <source>What the machinist should know about this path</source>
@@ -571,6 +571,10 @@
         <translation>Ein Fräser unter {0} mm kommt hin.</translation>
     </message>
     <message>
+        <source>A depth or height is {0}; it must be a number of millimeters.</source>
+        <translation>Eine Tiefe oder Höhe ist {0}; sie muss eine Zahl von Millimetern sein.</translation>
+    </message>
+    <message>
         <source>A helix angle of {0} degrees cannot be cut.</source>
         <translation>Ein Helixwinkel von {0} Grad lässt sich nicht fräsen.</translation>
     </message>
@@ -717,6 +721,10 @@
     <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>Isothermen bräuchte mehr als {0} Umläufe.</translation>
+    </message>
+    <message>
+        <source>It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose another strategy.</source>
+        <translation>Sie gehört zu matplotlib ab 3.6: das mit FreeCADs Addon-Manager installieren oder eine andere Strategie wählen.</translation>
     </message>
     <message>
         <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
@@ -927,6 +935,10 @@
         <translation>Tolerance auf höchstens {0} mm setzen; üblich sind 0.01 mm.</translation>
     </message>
     <message>
+        <source>Set all depths and heights.</source>
+        <translation>Alle Tiefen und Höhen setzen.</translation>
+    </message>
+    <message>
         <source>Set it in the tool controller, unless you start the spindle by hand.</source>
         <translation>Im Werkzeugcontroller setzen, wenn die Spindel nicht von Hand gestartet wird.</translation>
     </message>
@@ -1087,12 +1099,12 @@
         <translation>Das Werkstück mit {0} ist eine offene Schale, kein geschlossener Körper.</translation>
     </message>
     <message>
-        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
-        <translation>Der Pfad wurde erzeugt, führe aber bei {at} {0} mm durch stehendes Material, wo er nicht schneiden soll; er wird nicht ausgegeben.</translation>
+        <source>The path was made, but at {at} would cut {0} mm into a wall or the floor; it is not handed out.</source>
+        <translation>Der Pfad ist fertig, würde aber bei {at} {0} mm in eine Wand oder den Boden schneiden; er wird nicht ausgegeben.</translation>
     </message>
     <message>
-        <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
-        <translation>Der Pfad wurde erzeugt, würde aber {0} mm in die Wand schneiden; er wird nicht ausgegeben.</translation>
+        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
+        <translation>Der Pfad wurde erzeugt, führe aber bei {at} {0} mm durch stehendes Material, wo er nicht schneiden soll; er wird nicht ausgegeben.</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>

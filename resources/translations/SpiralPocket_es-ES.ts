@@ -109,8 +109,8 @@
         <translation>Longitud de todos los movimientos de corte</translation>
     </message>
     <message>
-        <source>Time of all moves at their own feeds, in seconds</source>
-        <translation>Tiempo de todos los movimientos a su avance, en segundos</translation>
+        <source>Time of the path on the chosen machine, in seconds</source>
+        <translation>Tiempo de la trayectoria en la máquina elegida, en segundos</translation>
     </message>
     <message>
         <source>What the machinist should know about this path</source>
@@ -571,6 +571,10 @@
         <translation>Una fresa de menos de {0} mm llega.</translation>
     </message>
     <message>
+        <source>A depth or height is {0}; it must be a number of millimeters.</source>
+        <translation>Una profundidad o altura es {0}; debe ser un número de milímetros.</translation>
+    </message>
+    <message>
         <source>A helix angle of {0} degrees cannot be cut.</source>
         <translation>Un ángulo de hélice de {0} grados no se puede cortar.</translation>
     </message>
@@ -717,6 +721,10 @@
     <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>Isotermas necesitaría más de {0} vueltas.</translation>
+    </message>
+    <message>
+        <source>It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose another strategy.</source>
+        <translation>Viene con matplotlib 3.6 o posterior: instálelo con el gestor de complementos de FreeCAD, o elija otra estrategia.</translation>
     </message>
     <message>
         <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
@@ -927,6 +935,10 @@
         <translation>Ponga Tolerance a {0} mm como máximo; lo habitual es 0.01 mm.</translation>
     </message>
     <message>
+        <source>Set all depths and heights.</source>
+        <translation>Indique todas las profundidades y alturas.</translation>
+    </message>
+    <message>
         <source>Set it in the tool controller, unless you start the spindle by hand.</source>
         <translation>Póngala en el controlador de herramienta, salvo que arranque el husillo a mano.</translation>
     </message>
@@ -1087,12 +1099,12 @@
         <translation>La pieza con {0} es una cáscara abierta, no un sólido cerrado.</translation>
     </message>
     <message>
-        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
-        <translation>La trayectoria se hizo, pero en {at} atravesaría {0} mm de material donde no debe cortar; no se entrega.</translation>
+        <source>The path was made, but at {at} would cut {0} mm into a wall or the floor; it is not handed out.</source>
+        <translation>La trayectoria está hecha, pero en {at} cortaría {0} mm en una pared o en el fondo; no se entrega.</translation>
     </message>
     <message>
-        <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
-        <translation>La trayectoria se hizo, pero cortaría {0} mm en la pared; no se entrega.</translation>
+        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
+        <translation>La trayectoria se hizo, pero en {at} atravesaría {0} mm de material donde no debe cortar; no se entrega.</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>

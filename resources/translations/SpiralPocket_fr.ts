@@ -109,8 +109,8 @@
         <translation>Longueur de tous les trajets de coupe</translation>
     </message>
     <message>
-        <source>Time of all moves at their own feeds, in seconds</source>
-        <translation>Temps de tous les trajets à leur avance, en secondes</translation>
+        <source>Time of the path on the chosen machine, in seconds</source>
+        <translation>Temps du parcours sur la machine choisie, en secondes</translation>
     </message>
     <message>
         <source>What the machinist should know about this path</source>
@@ -571,6 +571,10 @@
         <translation>Une fraise de moins de {0} mm y accède.</translation>
     </message>
     <message>
+        <source>A depth or height is {0}; it must be a number of millimeters.</source>
+        <translation>Une profondeur ou une hauteur vaut {0} ; ce doit être un nombre de millimètres.</translation>
+    </message>
+    <message>
         <source>A helix angle of {0} degrees cannot be cut.</source>
         <translation>Un angle d'hélice de {0} degrés est impossible.</translation>
     </message>
@@ -717,6 +721,10 @@
     <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>Isothermes demanderait plus de {0} tours.</translation>
+    </message>
+    <message>
+        <source>It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose another strategy.</source>
+        <translation>Elle vient avec matplotlib 3.6 ou plus récent : installez-le avec le gestionnaire d'extensions de FreeCAD, ou choisissez une autre stratégie.</translation>
     </message>
     <message>
         <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
@@ -927,6 +935,10 @@
         <translation>Réglez Tolerance à {0} mm au plus ; 0.01 mm est habituel.</translation>
     </message>
     <message>
+        <source>Set all depths and heights.</source>
+        <translation>Réglez toutes les profondeurs et hauteurs.</translation>
+    </message>
+    <message>
         <source>Set it in the tool controller, unless you start the spindle by hand.</source>
         <translation>Réglez-la dans le contrôleur d'outil, sauf si vous démarrez la broche à la main.</translation>
     </message>
@@ -1087,12 +1099,12 @@
         <translation>La pièce avec {0} est une coque ouverte, pas un solide fermé.</translation>
     </message>
     <message>
-        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
-        <translation>Le parcours a été fait, mais traverserait en {at} {0} mm de matière là où il ne doit pas couper ; il n'est pas remis.</translation>
+        <source>The path was made, but at {at} would cut {0} mm into a wall or the floor; it is not handed out.</source>
+        <translation>Le parcours est fait, mais en {at} il couperait {0} mm dans une paroi ou le fond ; il n'est pas livré.</translation>
     </message>
     <message>
-        <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
-        <translation>Le parcours a été fait, mais entamerait la paroi de {0} mm ; il n'est pas remis.</translation>
+        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
+        <translation>Le parcours a été fait, mais traverserait en {at} {0} mm de matière là où il ne doit pas couper ; il n'est pas remis.</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>

@@ -109,8 +109,8 @@
         <translation>全部切削移动的长度</translation>
     </message>
     <message>
-        <source>Time of all moves at their own feeds, in seconds</source>
-        <translation>全部移动按各自进给的用时（秒）</translation>
+        <source>Time of the path on the chosen machine, in seconds</source>
+        <translation>路径在所选机床上的时间，单位为秒</translation>
     </message>
     <message>
         <source>What the machinist should know about this path</source>
@@ -571,6 +571,10 @@
         <translation>小于 {0} mm 的刀具可到达。</translation>
     </message>
     <message>
+        <source>A depth or height is {0}; it must be a number of millimeters.</source>
+        <translation>某个深度或高度为 {0}；它必须是以毫米计的数值。</translation>
+    </message>
+    <message>
         <source>A helix angle of {0} degrees cannot be cut.</source>
         <translation>无法以 {0} 度的螺旋角切削。</translation>
     </message>
@@ -717,6 +721,10 @@
     <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>“等温线”将需要超过 {0} 圈。</translation>
+    </message>
+    <message>
+        <source>It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose another strategy.</source>
+        <translation>它随 matplotlib 3.6 或更高版本提供：请用 FreeCAD 的插件管理器安装，或选择其他策略。</translation>
     </message>
     <message>
         <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
@@ -927,6 +935,10 @@
         <translation>请将 Tolerance 设为至多 {0} mm；通常为 0.01 mm。</translation>
     </message>
     <message>
+        <source>Set all depths and heights.</source>
+        <translation>请设置所有深度和高度。</translation>
+    </message>
+    <message>
         <source>Set it in the tool controller, unless you start the spindle by hand.</source>
         <translation>请在刀具控制器中设置，除非您手动启动主轴。</translation>
     </message>
@@ -1087,12 +1099,12 @@
         <translation>含 {0} 的零件是开放壳体，不是封闭实体。</translation>
     </message>
     <message>
-        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
-        <translation>刀路已生成，但在 {at} 处会在不应切削的地方穿过 {0} mm 残余材料；不予输出。</translation>
+        <source>The path was made, but at {at} would cut {0} mm into a wall or the floor; it is not handed out.</source>
+        <translation>路径已生成，但在 {at} 处会切入壁面或底面 {0} mm；不予输出。</translation>
     </message>
     <message>
-        <source>The path was made, but would cut {0} mm into the wall; it is not handed out.</source>
-        <translation>刀路已生成，但会切入侧壁 {0} mm；不予输出。</translation>
+        <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
+        <translation>刀路已生成，但在 {at} 处会在不应切削的地方穿过 {0} mm 残余材料；不予输出。</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>

@@ -256,3 +256,41 @@ def test_floors_are_found_the_highest_first(doc):
     assert len(names) == 2 and set(names) == set(faces_at(part.Shape, -DEPTH))
     op = api.add_spiral_pocket(add_job(doc, part), [(part, names)], **QUICK)
     assert len(op.Proxy.plans) == 2
+
+
+def test_export_refuses_a_path_whose_depth_is_gone(doc, tmp_path):
+    job, part, face = small_job(doc)
+    operation = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    sheet = doc.addObject("Spreadsheet::Sheet", "Sheet")
+    sheet.set("A1", "=-3 mm")
+    sheet.setAlias("A1", "depth")
+    doc.recompute()
+    operation.setExpression("FinalDepth", "Sheet.depth")
+    doc.recompute()
+    api.export(job, tmp_path / "deep.ngc")
+    sheet.set("A1", "three")
+    doc.recompute()
+    with pytest.raises(SetupError, match="out of date"):
+        api.export(job, tmp_path / "stale.ngc")
+    assert not (tmp_path / "stale.ngc").exists()
+
+
+def test_export_refuses_a_path_of_a_part_that_failed(doc, tmp_path):
+    box = doc.addObject("Part::Box", "Block")
+    box.Length, box.Width, box.Height = 80, 60, 20
+    room = doc.addObject("Part::Box", "Room")
+    room.Length, room.Width, room.Height = 40, 30, 20
+    room.Placement.Base = (20, 15, 10)
+    rounded = doc.addObject("Part::Fillet", "Rounded")
+    rounded.Base = room
+    rounded.Edges = [(n, 5.0, 5.0) for n in (1, 3, 5, 7)]
+    part = doc.addObject("Part::Cut", "Part")
+    part.Base, part.Tool = box, rounded
+    doc.recompute()
+    job = add_job(doc, part)
+    api.add_spiral_pocket(job, [(part, api.floors(part))], **QUICK)
+    api.export(job, tmp_path / "part.ngc")
+    room.Length = 8
+    doc.recompute()
+    with pytest.raises(SetupError, match="Rounded could not be computed"):
+        api.export(job, tmp_path / "stale.ngc")

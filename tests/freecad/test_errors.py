@@ -261,24 +261,24 @@ def test_stop_leaves_no_path(op, monkeypatch):
 
 
 def test_an_unforeseen_error_leaves_no_stale_path(op, monkeypatch):
-    from freecad_spiralpocket.op import pockets
+    from freecad_spiralpocket.beside import crew
 
     def broken(request, progress):
         raise ZeroDivisionError("a bug")
 
-    monkeypatch.setattr(pockets, "plan_pocket", broken)
+    monkeypatch.setattr(crew, "plan", broken)
     op.StepOver = 30
     op.Document.recompute()
     assert not op.isValid() and not motion(op) and op.CycleTime == "00:00:00"
 
 
 def test_an_unforeseen_error_is_told_to_scripts(setting, monkeypatch):
-    from freecad_spiralpocket.op import pockets
+    from freecad_spiralpocket.beside import crew
 
     def broken(request, progress):
         raise ZeroDivisionError("a bug")
 
-    monkeypatch.setattr(pockets, "plan_pocket", broken)
+    monkeypatch.setattr(crew, "plan", broken)
     job, part, face = setting
     refused(job, [(part, [face])], SetupError, "could not compute")
 

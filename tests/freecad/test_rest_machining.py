@@ -192,3 +192,16 @@ def test_walls_that_flare_far_beyond_the_floor_are_stock(doc):
     assert top.pocket.bounds[0] < -AROUND * SMALL - SMALL
     standing = top.pocket.difference(swept(first, LARGE).buffer(0.1))
     assert asked.stock.buffer(0.01).covers(standing)
+
+
+def test_a_program_cuts_what_is_left_now(doc, tmp_path):
+    job, part, large, small = job_of(doc, block(area(rectangle(40, 30))))
+    first = cut(job, part, large)
+    rest = cut(job, part, small, UseRestMachining=True)
+    before = motion(rest)
+    assert rest.Proxy.plans[0].request.stock is not None
+    first.Active = False
+    doc.recompute()
+    api.export(job, tmp_path / "rest.ngc")
+    assert rest.Proxy.plans[0].request.stock is None
+    assert [c.toGCode() for c in motion(rest)] != [c.toGCode() for c in before]
