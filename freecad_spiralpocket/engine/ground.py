@@ -38,34 +38,45 @@ class Ground:
         Which pixels of it are free.
     start : ndarray of shape (2,)
         Where all ways begin [mm].
+    coarse : int
+        Raster pixels to a cell: what is narrower than that is no way.
     """
 
-    def __init__(self, cleared: ClearedMap, free: NDArray[np.bool_], start: Floats) -> None:
-        rows, columns = (n // COARSE for n in free.shape)
-        blocks = free[: rows * COARSE, : columns * COARSE].reshape(rows, COARSE, columns, COARSE)
+    def __init__(
+        self,
+        cleared: ClearedMap,
+        free: NDArray[np.bool_],
+        start: Floats,
+        coarse: int = COARSE,
+    ) -> None:
+        rows, columns = (n // coarse for n in free.shape)
+        blocks = free[: rows * coarse, : columns * coarse].reshape(rows, coarse, columns, coarse)
         # closed all around, so that no step leads over the edge
         self._open = np.pad(blocks.all(axis=(1, 3)), 1)
-        self._size = COARSE * cleared.pixel
+        self._size = coarse * cleared.pixel
         self._origin = cleared.origin - self._size
         self._start = start
         self._source = self._cell(start)
         self._tolls = _tolls(self._open).ravel().tolist()
         self._connected: bytearray | None = None
 
-    def way_to(self, end: Floats) -> Floats | None:
-        """Return the shortest way to a place, shape (n, 2) [mm]; None if there is none."""
+    def way_to(self, end: Floats, longest: float = math.inf) -> Floats | None:
+        """Return the shortest way to a place, shape (n, 2) [mm].
+
+        None if there is none, and perhaps where all are longer than `longest` [mm].
+        """
         target = self._cell(end)
         if self._source is None or target is None:
             return None
-        path = self._cheapest(self._source, target)
+        path = self._cheapest(self._source, target, (1.0 + EDGE_TOLL) * longest / self._size)
         if path is None:
             return None
         row, column = np.divmod(path, self._open.shape[1])
         centers = self._origin + self._size * np.column_stack([column + 0.5, row + 0.5])
         return np.vstack([self._start, centers[1:-1], end])
 
-    def _cheapest(self, source: int, target: int) -> list[int] | None:
-        """Return the cells along the cheapest way; None if there is none.
+    def _cheapest(self, source: int, target: int, dearest: float) -> list[int] | None:
+        """Return the cells along the cheapest way; None if there is none up to `dearest`.
 
         A*, with the distance as the crow flies for what lies ahead.
         """
@@ -82,7 +93,9 @@ class Ground:
         heap = [(0.0, source)]
         done = bytearray(len(toll))
         while heap:
-            cell = heapq.heappop(heap)[1]
+            least, cell = heapq.heappop(heap)
+            if least > dearest:
+                return None
             if cell == target:
                 path = [target]
                 while path[-1] != source:

@@ -24,6 +24,9 @@ from .spiral import between
 CHORD, FINE = 0.12, 0.05
 #: Distances of control points tried, over R.
 SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5, 0.3)
+#: A way is looked for nearer to what stands where it is longer than so much times the straight one
+#: and D, and taken if it is shorter than this share of the one before.
+DETOUR, SHORTER = 2.0, 0.7
 #: How far the loops go that turn round, over R.
 TURNS = (0.5, 1.0)
 #: What is nearer than this to the slot that the entry cut is on it [mm].
@@ -68,27 +71,37 @@ class LongWays:
         end, arriving : ndarray of shape (2,)
             Where it ends [mm], and the unit direction there.
         """
+        best, longest = None, np.inf
+        straight = float(np.hypot(*(end - self._start)))
         for ground in self._all_grounds():
-            way = ground.way_to(end)
-            if way is not None:
+            way = ground.way_to(end, longest)
+            if way is not None and LineString(way).length < longest:
                 found = self._along(LineString(way), end, arriving)
-                if found is not None:
-                    return found
-        return None
+                length = np.inf if found is None else LineString(found).length
+                if length < longest:
+                    best, longest = found, SHORTER * length
+            # nearer to what stands there may be a way through
+            if longest < SHORTER * (DETOUR * straight + 2 * self._radius):
+                break
+        return best
 
     def _all_grounds(self) -> Iterator[Ground]:
-        """Yield ground well off what stands, all free ground, and that up to its very edge."""
+        """Yield ground well off what stands, all free ground, that up to its very edge, and finer.
+
+        Each has ways that the ones before have not.
+        """
         cleared = self._cleared
-        for i in range(3):
+        free_ground = (cleared.free, cleared.free, cleared.near, cleared.free)
+        for i, free in enumerate(free_ground):
             if i == len(self._grounds):
-                free = (cleared.free, cleared.free, cleared.near)[i]
                 if i == 0:
                     # a way along the very edge is hard to follow smoothly
                     closed = ~free
                     for _ in range(COARSE):
                         closed = dilated(closed)
                     free = ~closed
-                self._grounds.append(Ground(cleared, free, self._start))
+                coarse = 1 if i == 3 else COARSE
+                self._grounds.append(Ground(cleared, free, self._start, coarse))
             yield self._grounds[i]
 
     def _along(self, way: LineString, end: Floats, arriving: Floats) -> Floats | None:

@@ -12,7 +12,7 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
 from shapely import LineString, Point, Polygon, box
 from shapely.affinity import rotate, scale
-from shapes import assert_ways_down_are_fed, lifts
+from shapes import assert_ways_down_are_fed, lifts, rounded
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan, planner
@@ -99,6 +99,14 @@ def test_no_cut_is_too_small_to_be_judged(side):
     cuts = np.isin(path.roles[measured.moves], (Role.CUT, Role.FINISH))
     cuts &= np.abs(measured.points[:, 2] - request.floor) < 1e-6
     assert result.report.engagement_max >= measured.angles[cuts].max() - 1e-9 > 0.0
+
+
+@pytest.mark.parametrize("width", [6.5, 7.5])
+def test_links_take_the_channel_beside_an_island(width):
+    island = rounded(box(width, width, width + 24, width + 24), 4.0)
+    path = planned(rounded(box(0, 0, 100, 60), 6.0) - island).toolpath
+    # round the other side of the island a dozen of them would go 140 mm farther each
+    assert path.lengths[path.roles == Role.LINK].sum() < 1000
 
 
 def test_blunt_tips_are_cut_wholly():
