@@ -229,16 +229,26 @@ def _spiral(
 def _taken_by(laps: Sequence[Stroke], fronts: Sequence[Polygon], radius: float) -> Region | None:
     """Return the stock that the last laps about a plug take.
 
-    None where some is left after them, or where they run along an island's wall.
+    None where some is left within them, or where they run along an island's wall.
     """
+    outermost = Polygon(laps[0].points)
     inside = Polygon(laps[-1].points).representative_point()
     around = [Polygon(ring) for ring in fronts[laps[0].level - 1].interiors]
     hole = next((h for h in around if h.contains(inside)), None)
-    if hole is None or any(hole.contains(Polygon(ring)) for ring in fronts[-1].interiors):
+    if hole is None:
+        return None
+    islands = [Polygon(ring) for ring in fronts[-1].interiors]
+    if any(outermost.contains(island) for island in islands):
         return None
     left = [Polygon(ring) for ring in fronts[laps[-1].level].interiors]
-    after = [h for h in left if hole.intersects(h) and not buffer(h, -radius).is_empty]
-    return None if after else buffer(hole, -radius)
+    if any(outermost.contains(h) and not buffer(h, -radius).is_empty for h in left):
+        return None
+    stock = buffer(hole, -radius)
+    if any(hole.contains(h) and not outermost.contains(h) for h in (*islands, *left)):
+        # other laps take the rest of that hole
+        lines = shapely.multilinestrings([closed_line(lap.points) for lap in laps])
+        stock = shapely.intersection(stock, shapely.buffer(lines, radius, quad_segs=32))
+    return stock
 
 
 def _begins_on(
