@@ -104,7 +104,9 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         hole, least_here = _stepped_ring(ring, omega, rules)
         least = min(least, least_here)
         x, y = hole[:, 0], hole[:, 1]
-        if (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() < 0:  # not turned inside out
+        is_inside_out = (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() >= 0
+        # where only a slim arm of it is, and that outweighs the rest, the rest is left
+        if not is_inside_out or not buffer(Polygon(ring), -least_here).is_empty:
             holes.append(hole)
     moved = Polygon(shell, holes)
     if not moved.is_valid:

@@ -134,6 +134,14 @@ def test_laps_that_meet_leave_nothing_between_them(stepover, proofs):
     assert [proof.uncut_area < 0.01 for proof in proofs] == [True]
 
 
+def test_a_slim_arm_of_a_plug_does_not_hide_the_rest_of_it(proofs):
+    jaw = Point(0, 0).buffer(15, quad_segs=32) - box(-20, -4.5, 0, 4.5)
+    eye = Point(100, 0).buffer(13, quad_segs=32)
+    wrench = rounded(jaw | eye | LineString([(0, 0), (95, 0)]).buffer(6.5), 3.3)
+    result = planned(wrench - Point(100, 0).buffer(3.3))
+    assert result.report.uncut_area < 0.01 and len(proofs) == 1
+
+
 def kinks(result: Plan) -> int:
     """Return how many turns over 20 degrees on the spot there are at depth, off the walls."""
     path = result.toolpath
