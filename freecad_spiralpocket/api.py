@@ -19,8 +19,15 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import FreeCAD
+
 from .engine.errors import RequestError, SelectionError, SetupError
 from .op import compat, operation, properties, selection
+
+_NO_FLOORS = (
+    "The floors are not given as parts with names of faces.",
+    'Give a list such as [(part, ["Face12", "Face15"])].',
+)
 
 __all__ = ["add_spiral_pocket", "export", "floors"]
 
@@ -34,7 +41,14 @@ def floors(part: Any) -> list[str]:
     ----------
     part : object
         A document object with a shape.
+
+    Raises
+    ------
+    SelectionError
+        If it has none.
     """
+    if not hasattr(part, "Shape"):
+        raise SelectionError(*_no_part(part))
     found = sorted(selection.find_floors(part), key=lambda floor: -floor.z)
     return [floor.name for floor in found]
 
@@ -118,11 +132,15 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
         If an active spiral pocket has no path, or none of the operations has one; if there is no
         such post-processor, it fails or writes nothing; or if the file cannot be written.
     """
+    if not hasattr(job, "Operations"):
+        raise SetupError(f"{job} is no job.", "Give a CAM job of an open document.")
+    if not isinstance(path, str | os.PathLike):
+        raise SetupError(f"{path} is no file to write.", "Give its path.")
     _compute_what_has_changed(job)
     _check_paths(job)
     with compat.active_document(job.Document):
         try:
-            gcode = compat.post_process(job, post, args)
+            gcode = compat.post_process(job, str(post), args or "")
         except LookupError as error:
             raise SetupError(
                 f"FreeCAD has no post-processor {post}.",
@@ -197,9 +215,11 @@ def _check_values(values: dict[str, Any]) -> None:
                 f"{name} cannot be {value}.", f"Choose one of: {', '.join(allowed)}."
             )
     stepover = values.get("StepOver", 1)
-    if not (
-        isinstance(stepover, int | float) and stepover == int(stepover) and 1 <= stepover <= 100
-    ):
+    try:
+        percent = float(stepover)
+    except (TypeError, ValueError):
+        percent = 0.0
+    if not (1 <= percent <= 100 and percent == int(percent)):
         raise RequestError(
             f"A step-over of {stepover} percent cannot be cut.",
             "Give StepOver as a whole number from 1 to 100, percent of the cutter's diameter.",
@@ -213,19 +233,15 @@ def _links(
     own = {m.Name: m for m in job.Model.Group}
     own |= {_original(job, m).Name: m for m in job.Model.Group}
     links = []
-    for pair in base or ():
+    if not isinstance(base, Iterable):
+        raise SelectionError(*_NO_FLOORS)
+    for pair in base:
         model, names = pair if isinstance(pair, tuple) and len(pair) == 2 else (pair, None)
         names = (names,) if isinstance(names, str) else names
         if not isinstance(names, Sequence) or not all(isinstance(name, str) for name in names):
-            raise SelectionError(
-                "The floors are not given as parts with names of faces.",
-                'Give a list such as [(part, ["Face12", "Face15"])].',
-            )
+            raise SelectionError(*_NO_FLOORS)
         if not hasattr(model, "Shape"):
-            raise SelectionError(
-                f"{model} is no part whose faces could be cut.",
-                "Give an object of the document; getObject finds it by its name, not its label.",
-            )
+            raise SelectionError(*_no_part(model))
         if model.Name not in own:
             raise SelectionError(
                 f"{model.Label} is not part of {job.Label}.", "Add it to the job's model first."
@@ -234,6 +250,13 @@ def _links(
     if not any(names for _, names in links):
         raise SelectionError("No face is selected.", "Name the floor of at least one pocket.")
     return links
+
+
+def _no_part(model: Any) -> tuple[str, str]:
+    return (
+        f"{model} is no part whose faces could be cut.",
+        "Give an object of the document; getObject finds it by its name, not its label.",
+    )
 
 
 def _original(job: Any, model: Any) -> Any:
@@ -256,7 +279,8 @@ def _tool_controller(job: Any, wanted: Any) -> Any:
         wanted = next((tc for tc in reversed(used) if tc in controllers), controllers[0])
     if wanted not in controllers:
         raise SetupError(
-            f"{wanted.Label} is not a tool controller of {job.Label}.", "Add it to the job first."
+            f"{getattr(wanted, 'Label', wanted)} is not a tool controller of {job.Label}.",
+            "Give one of the job's Tools, after adding it there.",
         )
     if wanted.Tool is None:
         raise SetupError(f"{wanted.Label} has no tool.", "Put an end mill into it.")
@@ -268,13 +292,22 @@ def _set(op: Any, name: str, value: Any) -> None:
     if any(path == name for path, _ in op.ExpressionEngine):
         op.setExpression(name, None)
     if name == "StepOver":
-        value = int(value)
+        value = int(float(value))
     try:
         setattr(op, name, value)
     except (TypeError, ValueError, ArithmeticError, RuntimeError) as error:
         raise RequestError(
-            f"{name} cannot be {value!r}: {error}.", "Give a number or a text with a unit."
+            f"{name} cannot be {value!r}: {error}.", _hint_for(getattr(op, name))
         ) from error
+
+
+def _hint_for(now: Any) -> str:
+    """Return what a property takes, told by its value."""
+    if isinstance(now, bool):
+        return "Give True or False."
+    if isinstance(now, FreeCAD.Vector):
+        return "Give three numbers, (x, y, z)."
+    return "Give a text." if isinstance(now, str) else "Give a number or a text with a unit."
 
 
 def _raise_failure(op: Any) -> None:

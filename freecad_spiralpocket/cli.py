@@ -10,6 +10,7 @@ figure. The stock's top is the part's top.
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -46,13 +47,13 @@ def parser() -> argparse.ArgumentParser:
         metavar="FACE",
         help="floor of a pocket such as Face12, may be given several times; all: every one",
     )
-    add("--tool", type=float, metavar="D", help="diameter of the end mill [mm]")
+    add("--tool", type=positive, metavar="D", help="diameter of the end mill [mm]")
     add("--stepover", type=int, metavar="PERCENT", help="of the tool's diameter, at most")
-    add("--depth", type=float, help="how deep to cut below the stock's top [mm]")
-    add("--feed", type=float, help=f"horizontal feed [mm/min], {FEED:g} for a new tool")
-    add("--plunge", type=float, help="vertical feed [mm/min], a quarter of the feed")
-    add("--rapid", type=float, help=f"rapid rate [mm/min], {RAPID:g} for a new tool")
-    add("--spindle", type=float, metavar="RPM", help="spindle speed [1/min]")
+    add("--depth", type=positive, help="how deep to cut below the stock's top [mm]")
+    add("--feed", type=positive, help=f"horizontal feed [mm/min], {FEED:g} for a new tool")
+    add("--plunge", type=positive, help="vertical feed [mm/min], a quarter of the feed")
+    add("--rapid", type=positive, help=f"rapid rate [mm/min], {RAPID:g} for a new tool")
+    add("--spindle", type=positive, metavar="RPM", help="spindle speed [1/min]")
     add(
         "--set",
         dest="values",
@@ -62,11 +63,27 @@ def parser() -> argparse.ArgumentParser:
         help="any property of the operation, may be given several times",
     )
     add("--post", default="linuxcnc", help="FreeCAD post-processor, linuxcnc if not given")
-    add("--post-args", default="", metavar="ARGS", help="arguments for the post-processor")
+    add(
+        "--post-args",
+        default="",
+        metavar="ARGS",
+        help='arguments for the post-processor: --post-args="--inches"',
+    )
     add("-o", "--output", type=Path, metavar="FILE", help="G-code to write")
     add("--fcstd", type=Path, metavar="FILE", help="FreeCAD document to write")
     add("--png", type=Path, metavar="FILE", help="picture to write")
     return p
+
+
+def positive(text: str) -> float:
+    """Return a number above 0."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"{text} is not a number above 0")
+    return value
 
 
 def main(argv: Sequence[str] | None = None) -> int:

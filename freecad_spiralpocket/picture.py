@@ -84,6 +84,8 @@ def draw(plans: Sequence[Plan], path: str | os.PathLike[str], title: str = "") -
         raise SetupError(
             f"Cannot write {path}: {error.strerror}.", "Choose another file."
         ) from error
+    except ValueError as error:  # of no kind that matplotlib draws
+        raise SetupError(f"Cannot write {path}: {error}.", "Name a .png file.") from error
 
 
 def _size(plans: Sequence[Plan]) -> tuple[float, float]:

@@ -49,11 +49,21 @@ def load(path: Path, depth: float) -> tuple[Any, dict[str, float]]:
     if not path.is_file():
         raise SetupError(f"There is no file {path}.", "Check its name.")
     if kind == ".fcstd":
-        return FreeCAD.openDocument(str(path)), {}
+        try:
+            return FreeCAD.openDocument(str(path)), {}
+        except (OSError, RuntimeError) as error:
+            raise SetupError(f"{path.name} cannot be read.", "Save the document again.") from error
     if kind == ".json":
         outline = _outline(path)
-        values = {k: float(outline[k]) for k in ("tool", "ae") if k in outline}
-        return _document(path, block(outline["outer"], outline.get("holes", []), depth)), values
+        try:
+            values = {k: float(outline[k]) for k in ("tool", "ae") if k in outline}
+            shape = block(outline["outer"], outline.get("holes", []), depth)
+        except (TypeError, ValueError, IndexError, Part.OCCError) as error:
+            raise SetupError(
+                f"{path.name} has no outline: {error}.",
+                'It needs "outer": [[x, y], ...], numbers of millimeters.',
+            ) from error
+        return _document(path, shape), values
     if kind not in SHAPE_SUFFIXES:
         raise SetupError(
             f"{path.name} is of no known kind.", "Give a STEP, IGES, BREP, FCStd or JSON file."

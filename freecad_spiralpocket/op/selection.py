@@ -136,7 +136,10 @@ def selected(base: list[tuple[Any, Any]]) -> list[tuple[Any, str]]:
 
 
 def floor(
-    model: Any, names: str | Sequence[str], known: dict[int, Neighbors] | None = None
+    model: Any,
+    names: str | Sequence[str],
+    known: dict[int, Neighbors] | None = None,
+    shape: Any = None,
 ) -> Floor:
     """Return the floor that one face of `model` is, or several that meet.
 
@@ -146,6 +149,8 @@ def floor(
     names : str or sequence of str
     known : dict, optional
         Neighbors of solids by their hash code; is added to.
+    shape : object, optional
+        The model's, fetched before: that of a link or a group is another one each time.
 
     Raises
     ------
@@ -155,13 +160,14 @@ def floor(
     names = [names] if isinstance(names, str) else names
     known = {} if known is None else known
     where = label(model, ", ".join(names))
-    faces = [_element(model, name) for name in names]
+    shape = model.Shape if shape is None else shape
+    faces = [_element(shape, label(model, name), name) for name in names]
     for face in faces:
         if face.ShapeType != "Face":
             raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
         _check_level(face, where)
     face = faces[0]
-    solid, neighbors = _solid_of(model.Shape, face, where, known)
+    solid, neighbors = _solid_of(shape, face, where, known)
     if len(faces) > 1:
         whole = seams.joined(solid, faces)
         if whole is None:
@@ -216,13 +222,13 @@ def depth_limits(base: list[tuple[Any, Any]], stock: Any) -> dict[str, float]:
     }
 
 
-def _element(model: Any, name: str) -> Any:
+def _element(shape: Any, where: str, name: str) -> Any:
     """Return the sub-shape `name`, which FreeCAD marks with "?" when it lost it."""
     try:
-        return model.Shape.getElement(name)
+        return shape.getElement(name)
     except STALE_ELEMENT_ERRORS as error:
         raise SelectionError(
-            f"{label(model, name)} is not there any more: the model has changed.",
+            f"{where} is not there any more: the model has changed.",
             "Remove it from the base geometry and select the floor of the pocket again.",
         ) from error
 
@@ -297,9 +303,10 @@ def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:
 def find_floors(model: Any) -> Iterator[Floor]:
     """Yield every face of `model` that is the floor of a pocket, walled all around."""
     known: dict[int, Neighbors] = {}
-    for number in range(1, len(model.Shape.Faces) + 1):
+    shape = model.Shape
+    for number in range(1, len(shape.Faces) + 1):
         try:
-            found = floor(model, f"Face{number}", known)
+            found = floor(model, f"Face{number}", known, shape)
         except SelectionError:
             continue
         if not found.open_edges:

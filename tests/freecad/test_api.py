@@ -25,7 +25,7 @@ from sample_parts import (
 )
 
 from freecad_spiralpocket import api
-from freecad_spiralpocket.engine.errors import SelectionError, SetupError
+from freecad_spiralpocket.engine.errors import SelectionError, SetupError, SpiralPocketError
 from freecad_spiralpocket.op import compat
 
 INCH = 25.4
@@ -294,3 +294,58 @@ def test_export_refuses_a_path_of_a_part_that_failed(doc, tmp_path):
     doc.recompute()
     with pytest.raises(SetupError, match="Rounded could not be computed"):
         api.export(job, tmp_path / "stale.ngc")
+
+
+@pytest.mark.parametrize("kind", ["App::Part", "App::Link"])
+def test_floors_of_a_group_or_a_link_are_those_of_its_part(doc, kind):
+    part = add_part(doc, block(area(rectangle(20, 20))))
+    other = doc.addObject(kind, "Other")
+    if kind == "App::Part":
+        other.addObject(part)
+    else:
+        other.LinkedObject = part
+    other.Placement.Base = Vector(0, 100, 0)
+    doc.recompute()
+    assert api.floors(other) == api.floors(part) != []
+    assert api.floors(add_job(doc, other).Model.Group[0]) == api.floors(part)
+
+
+@pytest.mark.parametrize("what", [None, "Part"])
+def test_floors_of_what_is_no_part_are_refused(what):
+    with pytest.raises(SelectionError, match="no part"):
+        api.floors(what)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"base": "part"}, "not given as parts"),
+        ({"tool_controller": "TC"}, "TC is not a tool controller"),
+        ({"StepOver": float("nan")}, "step-over of nan"),
+        ({"FinalDepth": float("nan")}, "number of millimeters"),
+        ({"UseOutline": "no"}, "True or False"),
+    ],
+)
+def test_wrong_values_are_refused_in_words(doc, change, words):
+    job, part, face = small_job(doc)
+    before = snapshot(doc)
+    asked = {"base": [(part, [face])], **QUICK, **change}
+    if asked["base"] == "part":
+        asked["base"] = part
+    with pytest.raises(SpiralPocketError, match=words):
+        api.add_spiral_pocket(job, **asked)
+    assert snapshot(doc) == before
+
+
+def test_a_step_over_may_be_a_text(doc):
+    job, part, face = small_job(doc)
+    assert api.add_spiral_pocket(job, [(part, [face])], StepOver="30", **QUICK).StepOver == 30
+
+
+def test_only_jobs_are_exported_and_only_to_files(doc, tmp_path):
+    job, part, face = small_job(doc)
+    operation = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    with pytest.raises(SetupError, match="no job"):
+        api.export(operation, tmp_path / "part.ngc")
+    with pytest.raises(SetupError, match="no file"):
+        api.export(job, None)

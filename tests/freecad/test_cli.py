@@ -171,6 +171,8 @@ def test_a_picture_without_matplotlib_or_folder_is_refused(
         ("part.step", "nonsense", "cannot be read"),
         ("part.json", "{", "is not JSON"),
         ("part.json", "{}", "has no outline"),
+        ("part.json", '{"outer": [[0, 0], [9, "a"], [9, 9]]}', "has no outline"),
+        ("part.FCStd", "nonsense", "cannot be read"),
     ],
 )
 def test_a_file_that_is_no_part_is_named(tmp_path, capsys, name, content, words):
@@ -181,6 +183,26 @@ def test_a_file_that_is_no_part_is_named(tmp_path, capsys, name, content, words)
     assert words in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("value", ["-5", "0", "nan", "fast"])
+def test_a_speed_is_a_number_above_0(one_pocket, tmp_path, capsys, value):
+    part = saved(one_pocket, tmp_path / "part.brep")
+    with pytest.raises(SystemExit):
+        cli.main([str(part), "--tool", "6", "--feed", value])
+    assert f"{value} is not a number above 0" in capsys.readouterr().err
+
+
+def test_speeds_that_are_set_stay(one_pocket, tmp_path):
+    part = saved(one_pocket, tmp_path / "part.brep")
+    controller = call(part, "--tool", 6, *QUICK).ToolController
+    controller.HorizFeed, controller.VertFeed = 20.0, 0.0
+    cli.set_speeds(controller, cli.parser().parse_args([str(part)]))
+    assert controller.HorizFeed.Value == 20.0
+    assert controller.VertFeed.Value == 20.0 * cli.PLUNGE_SHARE
+    controller.HorizFeed, controller.VertFeed = 0.0, 3.0
+    cli.set_speeds(controller, cli.parser().parse_args([str(part)]))
+    assert controller.HorizFeed.Value == cli.FEED / 60 and controller.VertFeed.Value == 3.0
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -189,6 +211,9 @@ def test_a_file_that_is_no_part_is_named(tmp_path, capsys, name, content, words)
         (["--tool", "6", "--set", "StepOver"], "has no value"),
         (["--tool", "6", "--set", "Stepover=4"], "no property Stepover"),
         (["--tool", "6", "--face", "Face1"], "Face1"),
+        (["--tool", "6", "--set", "StepOver=inf"], "step-over of inf percent"),
+        (["--tool", "6", "--set", "UseStartPoint=perhaps"], "True or False"),
+        (["--tool", "6", *QUICK, "--png", "part.xyz"], "Name a .png file"),
     ],
 )
 def test_what_cannot_be_cut_ends_with_a_sentence(one_pocket, tmp_path, capsys, arguments, words):
