@@ -87,8 +87,7 @@ class _Shapes:
 
     def __init__(self, floor: Floor, walls: Walls, others: Sequence[Floor], top: float) -> None:
         self._floor, self._walls = floor, walls
-        levels = walls.ledges(floor.z, top + ABOVE) if floor.open_edges == 0 else []
-        self._flats = sorted(levels, reverse=True)
+        self._flats = sorted(walls.ledges(floor.z, top + ABOVE), reverse=True)
         self._rim = float("inf")
         faces = [(o.z, o.face) for o in others if o.solid.isSame(floor.solid)]
         for z, place in self._flats:
