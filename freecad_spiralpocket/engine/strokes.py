@@ -88,8 +88,29 @@ def _new_runs(ring: shapely.LinearRing, before: Polygon) -> list[tuple[Floats, b
     for a, b in merged:
         here = points[np.arange(a, b + 1) % len(points)]
         if not are_within(before, here, THINNEST).all():
-            kept.append((_overrun(points, along, float(along[-1]), a, b), False))
+            run = _overrun(points, along, float(along[-1]), a, b)
+            kept.append((_without_needles(run), False))
     return kept
+
+
+def _without_needles(points: Floats) -> Floats:
+    """Return a stroke without places where it turns back upon itself.
+
+    Along a wall cracks of a few micrometers stay between fronts, and a ring runs round them.
+    """
+    while len(points) > 2:
+        before, here, after = points[:-2], points[1:-1], points[2:]
+        to, onwards = here - before, after - here
+        length = np.minimum(np.hypot(*to.T), np.hypot(*onwards.T))
+        # how far apart the two ways are where the shorter one ends
+        width = np.abs(to[:, 0] * onwards[:, 1] - to[:, 1] * onwards[:, 0]) / np.maximum(
+            np.hypot(*to.T), np.hypot(*onwards.T)
+        )
+        needles = ((to * onwards).sum(axis=1) < 0) & (width < NEW) & (length < LEAD)
+        if not needles.any():
+            break
+        points = np.delete(points, 1 + int(np.flatnonzero(needles)[0]), axis=0)
+    return points
 
 
 def _merged(new: NDArray[np.bool_], along: Floats) -> list[list[int]] | None:

@@ -17,6 +17,7 @@ from freecad_spiralpocket.engine.model import Cutting, Strategy
 from freecad_spiralpocket.engine.outline import outline_of
 from freecad_spiralpocket.engine.shaping import thick_parts
 from freecad_spiralpocket.engine.spiral import closed_line, ends_of, spiral_through, without_air
+from freecad_spiralpocket.engine.strokes import strokes_between
 from freecad_spiralpocket.engine.toolpath import Role
 
 R = 3.0
@@ -149,3 +150,13 @@ def test_small_step_over_is_planned(only_outline):
     made = plan(request(SQUARE, strategy=Strategy.AUTOMATIC, cutting=Cutting(0.9)))
     assert made.report.uncut_area < 0.01
     assert made.report.engagement_p99 <= made.report.engagement_limit + math.radians(8)
+
+
+def test_a_stroke_does_not_run_round_a_crack_along_the_wall():
+    before = box(0, 0, 10, 10)
+    crack = box(9.4, 9.996, 9.9, 9.999)  # opens to the wall at its end
+    after = box(0, 0, 20, 10) - crack - box(9.89, 9.996, 9.9, 10)
+    (stroke,) = strokes_between(before, after, 1)
+    steps = np.diff(stroke.points, axis=0)
+    assert ((steps[1:] * steps[:-1]).sum(axis=1) > -1e-9).all()
+    assert stroke.points[0, 0] < 10
