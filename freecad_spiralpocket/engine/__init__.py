@@ -2,7 +2,7 @@
 """The engine: from a pocket's outline to a proved toolpath.
 
 Pure functions over numpy arrays and shapely polygons: no FreeCAD, no Qt, no
-files, no state. ``plan(request)`` is the whole of it; the records are in
+files, no state but caches. ``plan(request)`` is the whole of it; the records are in
 `model`, the errors in `errors`. Names are loaded on first use, so that
 `errors` and `model` can be imported where scipy or shapely is missing, and
 FreeCAD's start is not slowed down.
