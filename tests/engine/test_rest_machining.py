@@ -75,7 +75,8 @@ def test_the_rest_is_cleared_and_takes_less_time(name, left_on_walls, mode):
     report = result.report
     assert report.gouge < 0.01 and report.rapid_hit == 0 and report.uncut_area < 0.02
     assert_ways_down_are_fed(result)
-    assert seconds(result) < 0.75 * seconds(plan(replace(asked, stock=None)))
+    # the ways down in cleared ground are fed, and take a part of the time saved
+    assert seconds(result) < 0.77 * seconds(plan(replace(asked, stock=None)))
 
 
 def test_a_room_that_was_not_cleared_is_cut_from_within():

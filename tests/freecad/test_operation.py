@@ -168,12 +168,12 @@ def test_a_changed_model_makes_a_new_path(op):
 
 
 def test_what_does_not_touch_the_path_plans_nothing(op, monkeypatch):
-    from freecad_spiralpocket.op import pockets
+    from freecad_spiralpocket.beside import crew
 
     def refuse(request, progress):
         raise AssertionError("planned again")
 
-    monkeypatch.setattr(pockets, "plan_pocket", refuse)
+    monkeypatch.setattr(crew, "plan", refuse)
     before = gcode(op)
     op.CoolantMode, op.Comment = "Flood", "deep"
     op.Document.recompute()
