@@ -7,28 +7,26 @@ import sys
 import threading
 import time
 from dataclasses import fields
+from pathlib import Path
 
 import pytest
 from shapely import box
+
+sys.path.insert(0, str(Path(__file__).parent / "engine"))
+from shapes import request
 
 from freecad_spiralpocket.beside import crew
 from freecad_spiralpocket.beside.crew import plan_together
 from freecad_spiralpocket.beside.interpreters import Interpreters
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import CancelledError, SpiralPocketError
-from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest, Strategy
+from freecad_spiralpocket.engine.model import Cutting, Strategy
 
 
 def rectangle(width, height=20.0, stepover=2.4):
     """Return the request for a rectangular pocket."""
-    return PocketRequest(
-        pocket=box(0, 0, width, height),
-        tool_diameter=6.0,
-        heights=Heights(8.0, 3.0, 0.0, -5.0, 6.0),
-        feeds=Feeds(50.0, 12.5, 83.0, 83.0),
-        cutting=Cutting(stepover=stepover),
-        strategy=Strategy.LINEAR_MORPH,
-    )
+    cutting = Cutting(stepover=stepover)
+    return request(box(0, 0, width, height), cutting=cutting, strategy=Strategy.LINEAR_MORPH)
 
 
 MANY = [rectangle(16.0 + i) for i in range(4)]
@@ -108,17 +106,17 @@ def test_pocket_of_a_process_that_ends_is_planned_here(alone, monkeypatch):
 
 
 def test_pocket_of_a_helper_that_fails_is_planned_here(alone, monkeypatch):
-    def fail(process):
-        raise MemoryError
+    receive, heard = crew._received, []
+
+    def only_once(process):
+        heard.append(process)
+        if len(heard) > 1:
+            raise MemoryError
+        return receive(process)
 
     monkeypatch.setattr(threading, "excepthook", lambda _: None)
+    monkeypatch.setattr(crew, "_received", only_once)
     watched = Watched(monkeypatch)
-    receive, received = crew._received, []
-    monkeypatch.setattr(
-        crew,
-        "_received",
-        lambda p: received.append(p) or (receive if len(received) == 1 else fail)(p),
-    )
     plans = plan_together(MANY, watched.progress, helpers=1)
     assert watched.begun == 1 and watched.planned == 0
     assert [paths_of(p) for p in plans] == alone
@@ -160,6 +158,7 @@ def test_error_in_the_add_on_is_raised_here(monkeypatch):
     broken = [MANY[0], "no request", "no request"]
     with pytest.raises(AttributeError):
         plan_together(broken, watched.progress, helpers=1)
+    assert watched.begun == 1
 
 
 def test_one_pocket_needs_no_process(monkeypatch):

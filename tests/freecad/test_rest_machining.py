@@ -162,13 +162,21 @@ def test_paths_of_other_operations_count(doc):
     assert abs(down[1] - y) < (LARGE - SMALL) / 2 and x0 - 5 < down[0] < x1 + 5
 
 
-def test_slanted_walls_count_by_the_floor(doc):
-    def outline(off, z):
-        corners = [(-off, -off), (50 + off, -off), (50 + off, 40 + off), (-off, 40 + off)]
-        return Part.makePolygon([Vector(x, y, z) for x, y in [*corners, corners[0]]])
+def flared(width, height, by, around=12):
+    """Return a block with a rectangular pocket that is wider by `by` on all sides at its top."""
 
-    hollow = Part.makeLoft([outline(0, -DEPTH), outline(3, 0)], True)
-    shape = Part.makeBox(80, 70, 20, Vector(-15, -15, -20)).cut(hollow)
+    def outline(off, z):
+        x, y = width + off, height + off
+        corners = [(-off, -off), (x, -off), (x, y), (-off, y), (-off, -off)]
+        return Part.makePolygon([Vector(*corner, z) for corner in corners])
+
+    margin = by + around
+    block = Part.makeBox(width + 2 * margin, height + 2 * margin, 20, Vector(-margin, -margin, -20))
+    return block.cut(Part.makeLoft([outline(0, -DEPTH), outline(by, 0)], True))
+
+
+def test_slanted_walls_count_by_the_floor(doc):
+    shape = flared(50, 40, 3)
     job, part, large, small = job_of(doc, shape)
     cut(job, part, large, StepDown=3.0)
     rest = cut(job, part, small, StepDown=3.0, UseRestMachining=True)
@@ -177,13 +185,7 @@ def test_slanted_walls_count_by_the_floor(doc):
 
 
 def test_walls_that_flare_far_beyond_the_floor_are_stock(doc):
-    def outline(off, z):
-        corners = [(-off, -off), (20 + off, -off), (20 + off, 20 + off), (-off, 20 + off)]
-        return Part.makePolygon([Vector(x, y, z) for x, y in [*corners, corners[0]]])
-
-    hollow = Part.makeLoft([outline(0, -DEPTH), outline(150, 0)], True)
-    shape = Part.makeBox(350, 350, 20, Vector(-165, -165, -20)).cut(hollow)
-    job, part, large, small = job_of(doc, shape)
+    job, part, large, small = job_of(doc, flared(20, 20, 150))
     first = cut(job, part, large, StepDown=DEPTH)
     rest = cut(job, part, small, StepDown=DEPTH, UseRestMachining=True)
     rest.StepDown = DEPTH / 3
