@@ -8,6 +8,7 @@ link candidates are then array look-ups, thousands at a time.
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -25,6 +26,8 @@ from .strokes import Stroke
 BLOCK = 4
 #: Pixels from the ends of a path within which the edge of free ground is good enough.
 ENDS = 3.0
+#: What frees a pixel, if no stroke does: it is free from the start, or never.
+START, NEVER = -1, -2
 
 
 class ClearedMap:
@@ -61,6 +64,8 @@ class ClearedMap:
         self.pixel, self.reach, self.ring = pixel, reach, ring
         self.origin = np.array([x0 - 2 * pixel, y0 - 2 * pixel])
         self.shape = (int((y1 - y0) / pixel) + 5, int((x1 - x0) / pixel) + 5)
+        self._beside = (1, -1, self.shape[1], -self.shape[1])
+        self._freed_by: NDArray[np.int32] | None = None
         # the fronts are nested: who is in many of them was in early
         level = len(fronts) - self._turns(fronts)
         level[level == len(fronts)] += 1
@@ -178,16 +183,54 @@ class ClearedMap:
         At both ends, for a few pixels, the edge of free ground is good enough.
         """
         cells = self.cells(paths)
+        at_end = self._are_at_ends(paths)
+        return np.asarray((self.free[cells] | (at_end & self.near[cells])).all(axis=-1))
+
+    def _are_at_ends(self, paths: Floats) -> NDArray[np.bool_]:
+        """Return which points are near one of the ends of their path."""
         from_start = np.hypot(*np.moveaxis(paths - paths[..., :1, :], -1, 0))
         from_end = np.hypot(*np.moveaxis(paths - paths[..., -1:, :], -1, 0))
-        at_end = np.minimum(from_start, from_end) < ENDS * self.pixel
-        return (self.free[cells] | (at_end & self.near[cells])).all(axis=-1)
+        return np.asarray(np.minimum(from_start, from_end) < ENDS * self.pixel)
+
+    def needed(self, paths: Floats) -> NDArray[np.int32]:
+        """Return which stroke must be done at each point of paths, shape (..., n, 2) [mm].
+
+        `START` or `NEVER` where none does; `START` too near both ends, see `are_free`.
+
+        Returns
+        -------
+        ndarray of int, shape (..., n)
+        """
+        if self._freed_by is None:
+            self._freed_by = self._who_frees()
+        freed_by = self._freed_by[self.cells(paths)]
+        freed_by[self._are_at_ends(paths)] = START
+        return freed_by
+
+    def _who_frees(self) -> NDArray[np.int32]:
+        """Return which stroke frees each pixel; beside a wall one of those that do."""
+        freed_by = np.full(self.free.size, NEVER, np.int32)
+        for beside in (True, False):
+            for stroke, cells in enumerate(self._cells_of):
+                if beside:
+                    around = np.concatenate([cells + step for step in self._beside])
+                    freed_by[around[self._outside[around]]] = stroke
+                else:
+                    freed_by[cells] = stroke
+        freed_by[self.free.ravel()] = START
+        return freed_by.reshape(self.shape)
+
+    def copied(self) -> ClearedMap:
+        """Return a map on which other strokes may be done than on this."""
+        other = copy.copy(self)
+        other.free, other.near = self.free.copy(), self.near.copy()
+        return other
 
     def finish(self, stroke: int) -> None:
         """Free the ground of a stroke that is done."""
         cells, free, near = self._cells_of[stroke], self.free.ravel(), self.near.ravel()
         free[cells] = near[cells] = True
-        for step in (1, -1, self.shape[1], -self.shape[1]):
+        for step in self._beside:
             beside = cells + step
             near[beside] = True
             free[beside[self._outside[beside]]] = True

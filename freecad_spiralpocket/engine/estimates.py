@@ -38,9 +38,14 @@ def motion_of(request: PocketRequest) -> Motion:
 
 def seconds_of(steps: Sequence[Step], request: PocketRequest, motion: Motion) -> float:
     """Return how long cuts and links take, at the last level [s]."""
+    cuts = sum(way_seconds(step.points, request, motion) for step in steps)
+    return cuts + link_seconds(steps, motion)
+
+
+def link_seconds(steps: Sequence[Step], motion: Motion) -> float:
+    """Return how long the links and lifts before steps take [s]."""
     total = 0.0
     for step in steps:
-        total += way_seconds(step.points, request, motion)
         if step.link is None:
             total += LIFT_SECONDS
         elif len(step.link):

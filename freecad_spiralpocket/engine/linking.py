@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -84,7 +85,12 @@ def _hermite_basis(count: int) -> Floats:
 
 
 def hermite_links(
-    start: Floats, heading: Floats, ends: Floats, headings: Floats, radius: float
+    start: Floats,
+    heading: Floats,
+    ends: Floats,
+    headings: Floats,
+    radius: float,
+    handles: tuple[Sequence[float], Sequence[float]] = (HANDLES, HANDLES_R),
 ) -> Floats:
     """Return candidates for a smooth link, tangent at both ends.
 
@@ -96,13 +102,15 @@ def hermite_links(
         Where it may end, and the unit directions there.
     radius : float
         R [mm].
+    handles : tuple of sequence of float
+        Lengths of handles, over the distance of its ends and over R.
 
     Returns
     -------
     ndarray of shape (m, h, POINTS, 2)
         h combinations of handle lengths.
     """
-    return _curves(_controls(start, heading, ends, headings, radius), POINTS)
+    return _curves(_controls(start, heading, ends, headings, radius, handles), POINTS)
 
 
 def fine_link(
@@ -120,14 +128,19 @@ def fine_link(
 
 
 def _controls(
-    start: Floats, heading: Floats, ends: Floats, headings: Floats, radius: float
+    start: Floats,
+    heading: Floats,
+    ends: Floats,
+    headings: Floats,
+    radius: float,
+    shares: tuple[Sequence[float], Sequence[float]] = (HANDLES, HANDLES_R),
 ) -> Floats:
     """Return begin, tangent, end and tangent of the candidates, shape (m, h, 4, 2)."""
     distance = np.hypot(*(ends - start).T)
     handles = np.concatenate(
         [
-            distance[:, None] * np.array(HANDLES),
-            np.tile(radius * np.array(HANDLES_R), (len(ends), 1)),
+            distance[:, None] * np.array(shares[0]),
+            np.tile(radius * np.array(shares[1]), (len(ends), 1)),
         ],
         axis=1,
     )

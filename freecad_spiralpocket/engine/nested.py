@@ -31,9 +31,10 @@ from .kinks import has_kink, reach_of_kinks, softened
 from .leaving import straightest
 from .linking import Motion, leave_wall
 from .model import Floats, PocketRequest, Tick
-from .ordering import Run, Step, order
+from .ordering import Situation, Step, order
 from .polyline import ring_from, simplified
 from .spiral import BLEND, gaps, spiral_through, zone_length, zones
+from .stroke_runs import Run
 from .strokes import Stroke
 from .toolpath import Role
 from .turns import Match, Ring, match, turn
@@ -141,7 +142,8 @@ def path_through(
     pixel = request.tool_diameter / PIXELS
     cleared = ClearedMap(regions, strokes, region, [], radius, pixel)
     start, heading = walkers[0].starts[0], walkers[0].headings[0]
-    steps = order(runs, cleared, region, start, heading, motion, radius, partial(tick, 0.9))
+    situation = Situation(cleared, region, start, heading, motion, radius)
+    steps = order(runs, situation, partial(tick, 0.9))
     passes = _passes(steps, walkers, region, request)
     entry, *rest = passes
     assert not isinstance(entry, Pass)  # the first run is the one where the first core ends

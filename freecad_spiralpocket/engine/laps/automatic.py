@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -22,7 +22,14 @@ from shapely import LineString, Polygon
 from ..cleared import ClearedMap
 from ..corners import finish_corners
 from ..errors import CutterDoesNotFitError, NotYetError
-from ..estimates import LIFT_SECONDS, entry_seconds, least_seconds, motion_of, seconds_of
+from ..estimates import (
+    LIFT_SECONDS,
+    entry_seconds,
+    least_seconds,
+    link_seconds,
+    motion_of,
+    seconds_of,
+)
 from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
 from ..front_rules import MEETING, WIDEST, FrontRules, step_limit
 from ..fronts import MAX_FRONTS, STRETCH, grow
@@ -30,14 +37,16 @@ from ..leftovers import is_left, large_pieces, without
 from ..linking import Motion
 from ..model import Floats, PocketRequest, Tick
 from ..open_sides import needed, starts_of, strokes_in_stock, strokes_within
-from ..ordering import Step, order, runs_of
+from ..ordering import Situation, Step, order
 from ..polyline import simplified
 from ..promising import promising
 from ..region import polygons_of
+from ..sequence import in_better_sequence
 from ..shaping import buffer, largest, oriented, thick_parts
 from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
 from ..starts import Start, candidates
+from ..stroke_runs import Run, runs_of, unit
 from ..strokes import Stroke, strokes_between, strokes_of
 from ..toolpath import Role
 
@@ -63,6 +72,8 @@ OVERRUN = 0.5
 CUSP = 0.8
 #: Points that matter less than this share of the tolerance are dropped.
 SLIM = 0.3
+#: The order of so many runs is searched for.
+WORTH_A_SEARCH = 4
 #: Raster pixels across the cutter.
 PIXELS = 24
 
@@ -169,14 +180,24 @@ def _fastest(
         at_least = entry + least_seconds(strokes, motion)
         if not best.is_beaten_by(toll * at_least, _open_strokes(strokes)):
             continue
-        steps = _steps(start, fronts, strokes, within, request, motion, done)
-        seconds = toll * (entry + seconds_of(steps, request, motion))
-        links = sum(step.link is None or len(step.link) > 0 for step in steps)
+        laid = _laid(start, fronts, strokes, within, request, motion, done)
+        seconds = toll * (entry + seconds_of(laid.all_steps, request, motion))
+        links = sum(step.link is None or len(step.link) > 0 for step in laid.all_steps)
         if best.is_beaten_by(seconds, links):
-            best = _Best(start, steps, seconds, links)
+            best = _Best(start, laid, seconds, links)
     if best.start is None:
         raise _too_wide()
-    return best
+    return _in_better_order(best, motion, partial(tick, 1.0))
+
+
+def _in_better_order(best: _Best, motion: Motion, tick: Callable[[], None]) -> _Best:
+    """Return the runs of a start in the sequence that is found by search, if that takes less."""
+    laid = best.laid
+    if laid.situation is None or len(laid.steps) < WORTH_A_SEARCH:
+        return best
+    steps = in_better_sequence(laid.steps, laid.runs, laid.situation, tick)
+    saved = link_seconds(laid.steps, motion) - link_seconds(steps, motion)
+    return replace(best, laid=replace(laid, steps=steps), seconds=best.seconds - saved)
 
 
 def _check_width(region: Polygon, request: PocketRequest) -> None:
@@ -193,14 +214,34 @@ def _too_wide() -> NotYetError:
     )
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Laid:
+    """What follows a start: the rest of its entry, then its runs as steps; none in no situation."""
+
+    opening: Sequence[Step] = ()
+    steps: Sequence[Step] = ()
+    runs: Sequence[Run] = ()
+    situation: Situation | None = None
+
+    @property
+    def all_steps(self) -> list[Step]:
+        """Return all steps."""
+        return [*self.opening, *self.steps]
+
+
 @dataclass(frozen=True, slots=True)
 class _Best:
-    """The fastest start so far, its steps, and how long they take [s]."""
+    """The fastest start so far, what follows it, and how long all takes [s]."""
 
     start: Start | None = None
-    steps: Sequence[Step] = ()
+    laid: _Laid = field(default_factory=_Laid)
     seconds: float = math.inf
     links: int = 0
+
+    @property
+    def steps(self) -> list[Step]:
+        """Return what follows the entry."""
+        return self.laid.all_steps
 
     def is_beaten_by(self, seconds: float, links: int) -> bool:
         """Return whether a start is better that takes so long, with so many links."""
@@ -280,7 +321,7 @@ def rules_of(request: PocketRequest) -> FrontRules:
     return FrontRules(radius, limit, CLOSING * radius, FILLET * min(stepover, MEETING * radius))
 
 
-def _steps(
+def _laid(
     start: Start,
     fronts: list[Polygon],
     strokes: list[Stroke],
@@ -288,8 +329,8 @@ def _steps(
     request: PocketRequest,
     motion: Motion,
     tick: Callable[[], None],
-) -> list[Step]:
-    """Return the cutting runs and links that follow an entry."""
+) -> _Laid:
+    """Return the cutting runs and links that follow an entry, the nearest run first each time."""
     radius = request.cutter_radius
     if isinstance(start.entry, Plunge):
         strokes = strokes_within(strokes, region)
@@ -297,7 +338,7 @@ def _steps(
     strokes = strokes + [Stroke(m, len(fronts), False, False) for m in mouths]
     opening = _rest_of_entry(start, strokes)
     if not strokes:
-        return opening
+        return _Laid(opening)
     # where a bridge meets an island a cusp stands until that wall is cut
     inner = [
         shapely.ops.substring(LineString(m), OVERRUN * radius, -OVERRUN * radius) for m in mouths
@@ -316,8 +357,8 @@ def _steps(
     else:
         here, following = shapely.get_coordinates(start.ring)[:2]
         ahead = following - here
-    heading = ahead / np.hypot(*ahead)
-    return opening + order(runs, cleared, region, here, heading, motion, radius, tick)
+    situation = Situation(cleared, region, here, unit(ahead), motion, radius)
+    return _Laid(opening, order(runs, situation, tick), runs, situation)
 
 
 def _rest_of_entry(start: Start, strokes: list[Stroke]) -> list[Step]:

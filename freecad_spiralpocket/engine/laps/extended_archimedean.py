@@ -37,12 +37,13 @@ from ..fronts import MAX_FRONTS, grow
 from ..joints import walk_over
 from ..model import Floats, PocketRequest, Tick
 from ..openings import Opening, open_centers
-from ..ordering import SLACK, Step, order, runs_of
+from ..ordering import SLACK, Situation, Step, order
 from ..polyline import points_at
 from ..routing import LongWays
 from ..shaping import largest, oriented
 from ..skeleton import Skeleton, medial_axis
 from ..starts import Start
+from ..stroke_runs import runs_of
 from ..strokes import Stroke, strokes_of
 from .automatic import PIXELS, passes_of, rules_of
 
@@ -143,8 +144,8 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
     here, heading = _end_of(steps, opening.start)
     if rest:
         runs = runs_of(rest, fronts, opening.start.ring, radius, request.cutting.stepover)
-        done, motion = partial(tick, 0.8), motion_of(request)
-        ordered = order(runs, cleared, region, here, heading, motion, radius, done)
+        situation = Situation(cleared, region, here, heading, motion_of(request), radius)
+        ordered = order(runs, situation, partial(tick, 0.8))
         steps += [_without_hairpin(step) for step in ordered]
     return Layout(opening, tuple(spirals), tuple(links), tuple(steps))
 

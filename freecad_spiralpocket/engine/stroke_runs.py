@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs: strokes that are cut without a break, closed laps one after the other as spirals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+import shapely
+from shapely import LineString, Polygon
+
+from .model import Floats
+from .polyline import points_at
+from .shaping import Region, buffer
+from .spiral import (
+    chains_of,
+    closed_line,
+    ends_of,
+    gaps,
+    onward,
+    spiral_through,
+    without_air,
+    zone_length,
+    zone_size,
+    zones,
+)
+from .strokes import Stroke
+
+#: A stroke leans on strokes of lower levels within this many step-overs.
+LEANS = 1.25
+#: Strokes are compared in pieces of so many points.
+CHUNK = 24
+#: A spiral goes on to the next lap where that is no farther than this over the step-over.
+WIDEST = 1.3
+#: And no farther than this over R, for else a cusp may stay between two turns.
+WITHOUT_CUSPS = 1.6
+#: So many of a spiral's last laps are looked at for what they leave: in its zone each lags behind.
+LAST = 3
+#: The same about a plug: where it is farther there the plug's corners are rounded.
+WIDEST_INWARDS = 2.2
+#: A first lap outwards may be farther from the place where the entry ends, by this factor.
+LEFT_BEHIND = 1.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Run:
+    """One or more strokes that are cut without a break.
+
+    Attributes
+    ----------
+    strokes : tuple of int
+    ways : tuple of Callable
+        Each returns the points of one way to cut it, shape (n, 2) [mm]: a spiral may be begun in
+        several places.
+    starts, headings : ndarray of shape (len(ways), 2)
+        Where each way begins, and the unit direction there.
+    needs : frozenset of int
+        Indices of the runs that must be done before.
+    """
+
+    strokes: tuple[int, ...]
+    ways: tuple[Callable[[], Floats], ...]
+    starts: Floats
+    headings: Floats
+    needs: frozenset[int] = frozenset()
+
+
+def leanings(strokes: Sequence[Stroke], stepover: float) -> list[set[int]]:
+    """Return for each stroke the strokes of lower levels that it leans on."""
+    chunks, owner = [], []
+    for i, stroke in enumerate(strokes):
+        for k in range(0, len(stroke.points) - 1, CHUNK):
+            chunks.append(LineString(stroke.points[k : k + CHUNK + 1]))
+            owner.append(i)
+    lines = np.array(chunks, dtype=object)
+    pairs = shapely.STRtree(lines).query(lines, predicate="dwithin", distance=LEANS * stepover)
+    of = np.array(owner)[pairs]
+    levels = np.array([s.level for s in strokes])
+    needs: list[set[int]] = [set() for _ in strokes]
+    for i, j in np.unique(of[:, levels[of[1]] < levels[of[0]]], axis=1).T.tolist():
+        needs[i].add(j)
+    return needs
+
+
+def runs_of(
+    strokes: Sequence[Stroke],
+    fronts: Sequence[Polygon],
+    ring: LineString,
+    radius: float,
+    stepover: float,
+) -> list[Run]:
+    """Join strokes to runs: closed laps to spirals, the first of which begins on the entry's ring.
+
+    Parameters
+    ----------
+    strokes : sequence of Stroke
+    fronts : sequence of shapely.Polygon
+    ring : LineString
+        The entry's last lap, closed, from where the entry ends.
+    radius, stepover : float
+        [mm]
+    """
+    needs = leanings(strokes, stepover)
+    runs = [_plain(s.points, i) for i, s in enumerate(strokes) if not s.closed]
+    for chain in chains_of(strokes):
+        while chain:
+            count, run = _spiral(chain, strokes, needs, fronts, ring, radius, stepover)
+            runs.append(run)
+            chain = chain[count:]
+    runs.sort(key=lambda run: run.strokes[0])
+    home = {i: r for r, run in enumerate(runs) for i in run.strokes}
+    return [
+        replace(run, needs=frozenset(home[j] for i in run.strokes for j in needs[i]) - {r})
+        for r, run in enumerate(runs)
+    ]
+
+
+def _plain(points: Floats, stroke: int) -> Run:
+    heading = unit(points[1] - points[0])
+    return Run((stroke,), (lambda: points,), points[:1], heading[None])
+
+
+def _spiral(
+    chain: list[int],
+    strokes: Sequence[Stroke],
+    needs: list[set[int]],
+    fronts: Sequence[Polygon],
+    ring: LineString,
+    radius: float,
+    stepover: float,
+) -> tuple[int, Run]:
+    """Return how many laps of a chain one spiral takes from its beginning, and the spiral.
+
+    It ends where a lap leans on something else, or is too far from the one before.
+    """
+    first = strokes[chain[0]]
+    laps = [closed_line(strokes[i].points) for i in chain]
+    widest = WIDEST * stepover
+    if not first.exterior:
+        widest = min(WIDEST_INWARDS * stepover, WITHOUT_CUSPS * radius)
+    size = zone_size(radius, stepover)
+    if first.level == 1 and _begins_on(ring, laps[0], first.exterior, size, widest):
+        source, at = ring, np.zeros(1)
+    else:
+        before = fronts[first.level - 1]
+        rings = [before.exterior, *before.interiors]
+        sides = [LineString(shapely.get_coordinates(r)) for r in rings]
+        source = sides[int(shapely.STRtree(sides).query_nearest(laps[0], all_matches=False)[0])]
+        at = np.empty(0) if first.exterior else ends_of(source, laps[0], size, widest)
+        if len(at) == 0:
+            at = zones(source, laps[0], size, widest)
+    count, here, place = 1, source, float(at[0])
+    while count < len(chain) and needs[chain[count]] <= set(chain[:count]):
+        place = float(laps[count - 1].project(here.interpolate(place)))
+        here = laps[count - 1]
+        further = onward(here, place, laps[count], size, widest)
+        if further is None:
+            break
+        place += further
+        count += 1
+    taken = laps[:count]
+    last = [strokes[i] for i in chain[:count][-LAST:]]
+    stock = None if first.exterior else _taken_by(last, fronts, radius)
+
+    def way(start: float) -> Floats:
+        points = spiral_through(source, start, taken, size, widest)
+        if stock is None:
+            return points
+        trimmed = without_air(points, stock, radius)
+        if trimmed is None:
+            points = spiral_through(source, start, taken, size, widest, LAST)
+            trimmed = without_air(points, stock, radius)
+        return points if trimmed is None else trimmed
+
+    starts, ahead = points_at(source, at), points_at(source, (at + 0.2) % source.length)
+    return count, Run(
+        tuple(chain[:count]),
+        tuple(partial(way, float(a)) for a in at),
+        starts,
+        np.array([unit(v) for v in ahead - starts]),
+    )
+
+
+def _taken_by(laps: Sequence[Stroke], fronts: Sequence[Polygon], radius: float) -> Region | None:
+    """Return the stock that the last laps about a plug take.
+
+    None where some is left within them, or where they run along an island's wall.
+    """
+    outermost = Polygon(laps[0].points)
+    inside = Polygon(laps[-1].points).representative_point()
+    around = [Polygon(ring) for ring in fronts[laps[0].level - 1].interiors]
+    hole = next((h for h in around if h.contains(inside)), None)
+    if hole is None:
+        return None
+    islands = [Polygon(ring) for ring in fronts[-1].interiors]
+    if any(outermost.contains(island) for island in islands):
+        return None
+    left = [Polygon(ring) for ring in fronts[laps[-1].level].interiors]
+    if any(outermost.contains(h) and not buffer(h, -radius).is_empty for h in left):
+        return None
+    stock = buffer(hole, -radius)
+    if any(hole.contains(h) and not outermost.contains(h) for h in (*islands, *left)):
+        # other laps take the rest of that hole
+        lines = shapely.multilinestrings([closed_line(lap.points) for lap in laps])
+        stock = shapely.intersection(stock, shapely.buffer(lines, radius, quad_segs=32))
+    return stock
+
+
+def _begins_on(
+    ring: LineString, lap: LineString, exterior: bool, radius: float, widest: float
+) -> bool:
+    """Return whether a lap of the first level may be begun where the entry ends.
+
+    Not so where the entry ends in a notch of an island, which the lap passes by.
+    """
+    if exterior:
+        widest *= LEFT_BEHIND
+    return bool(gaps(ring, lap, np.zeros(1), zone_length(ring, lap, radius))[0] <= widest)
+
+
+def unit(v: Floats) -> Floats:
+    """Return the unit vector along one; of none, none."""
+    return v / (np.hypot(*v) + 1e-12)

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The searched sequence of runs: allowed, complete, not slower, the same each time."""
+
+import numpy as np
+import pytest
+import shapely
+import shapes
+from shapely import Point, box
+
+from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.cleared import ENDS, NEVER
+from freecad_spiralpocket.engine.estimates import link_seconds
+from freecad_spiralpocket.engine.laps import automatic
+from freecad_spiralpocket.engine.linking import hermite_links
+from freecad_spiralpocket.engine.model import Strategy
+from freecad_spiralpocket.engine.sequence import in_better_sequence
+
+#: Rows of bosses, with bays in which nearest first leaves rests behind; bays along a wall.
+BOSSES = box(0, 0, 110, 70).difference(
+    shapely.union_all([Point(x, y).buffer(7) for x in (20, 43, 66, 89) for y in (20, 49)])
+)
+BAYS = box(0, 0, 90, 40).difference(
+    shapely.union_all([box(x, 14, x + 5, 41) for x in (15, 33, 51, 69)])
+)
+
+
+@pytest.fixture(scope="module", params=[BOSSES, BAYS], ids=["bosses", "bays"])
+def nearest_first(request):
+    """Return what `in_better_sequence` is given for a pocket: steps, runs, situation."""
+    given = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(
+            automatic,
+            "in_better_sequence",
+            lambda steps, runs, situation, _: given.append((steps, runs, situation)) or steps,
+        )
+        plan(shapes.request(request.param, strategy=Strategy.AUTOMATIC))
+    return given[0]
+
+
+def searched(steps, runs, situation):
+    return in_better_sequence(steps, runs, situation, lambda: None)
+
+
+def test_every_run_is_cut_once_after_those_it_needs(nearest_first):
+    done = set()
+    for step in searched(*nearest_first):
+        assert nearest_first[1][step.run].needs <= done
+        done.add(step.run)
+    assert len(done) == len(nearest_first[1]) == len(nearest_first[0])
+
+
+def test_links_take_less_time(nearest_first):
+    motion = nearest_first[2].motion
+    before = link_seconds(nearest_first[0], motion)
+    assert link_seconds(searched(*nearest_first), motion) < before
+
+
+def test_runs_join(nearest_first):
+    here = nearest_first[2].here
+    for step in searched(*nearest_first):
+        if step.link is not None:
+            way = np.vstack([step.link, step.points]) if len(step.link) else step.points
+            assert np.hypot(*(way[0] - here)) < 0.05
+            assert np.hypot(*np.diff(way, axis=0).T).max() < 2.0
+        here = step.points[-1]
+
+
+def test_it_is_the_same_each_time(nearest_first):
+    once, again = searched(*nearest_first), searched(*nearest_first)
+    assert [step.run for step in once] == [step.run for step in again]
+
+
+def test_a_link_is_free_when_what_it_needs_is_done(nearest_first):
+    steps, _, situation = nearest_first
+    ends = np.array([step.points[0] for step in steps])
+    headings = np.tile([1.0, 0.0], (len(ends), 1))
+    paths = hermite_links(situation.here, situation.heading, ends, headings, situation.radius)
+    needed = situation.cleared.needed(paths).reshape(-1, paths.shape[2])
+    paths = paths.reshape(-1, *paths.shape[2:])
+    rng = np.random.default_rng(5)
+    for i in rng.choice(len(paths), 60, replace=False):
+        cleared = situation.cleared.copied()
+        for stroke in set(needed[i][needed[i] >= 0].tolist()):
+            cleared.finish(stroke)
+        if (needed[i] == NEVER).any():
+            assert not cleared.are_free(paths[i])
+        else:
+            # at the ends the edge of free ground is enough
+            off = np.hypot(*(paths[i][:, None] - paths[i][[0, -1]]).T).min(axis=0)
+            away = paths[i][off > ENDS * cleared.pixel]
+            assert cleared.free[cleared.cells(away)].all()
