@@ -232,7 +232,8 @@ def write(args: argparse.Namespace, job: Any, op: Any) -> None:
     if args.png:
         from . import picture
 
-        picture.draw(op.Proxy.plans, args.png, f"{args.part.stem}, {op.ToolController.Tool.Label}")
+        tool = compat.tool_name(op.ToolController.Tool)
+        picture.draw(op.Proxy.plans, args.png, f"{args.part.stem}, {tool}")
     if args.fcstd:
         job.Document.saveAs(str(args.fcstd.resolve()))
 

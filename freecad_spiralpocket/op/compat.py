@@ -59,6 +59,7 @@ __all__ = [
     "post_process",
     "set_end_mill",
     "supplied_tool_controller",
+    "tool_name",
     "tool_shape",
 ]
 
@@ -71,6 +72,17 @@ _QUIET = "--no-show-editor"
 LEAST_LINES = 3
 #: Commands that move the cutter.
 MOTION = ("G0", "G1", "G2", "G3", "G00", "G01", "G02", "G03", "G81", "G82", "G83", "G73", "G85")
+#: What tool bits of the same form are called, by the names of legacy tools.
+LEGACY_SHAPES = {
+    "ballendmill": "ballend",
+    "centerdrill": "drill",
+    "chamfermill": "chamfer",
+    "cornerround": "radius",
+    "counterbore": "drill",
+    "countersink": "chamfer",
+    "engraver": "vbit",
+    "slotcutter": "slittingsaw",
+}
 
 
 def parent_job(obj: Any) -> Any:
@@ -87,12 +99,19 @@ def tool_shape(tool: Any) -> str:
     """Return the name of the tool's shape in lower case without separators, "" if unknown.
 
     "endmill", "ballend", "bullnose", "vbit", "drill", ...: up to 1.0 the tool bit
-    carries it as `ShapeName`, from 1.1 on as `ShapeType`; tools of 0.18 as `ToolType`.
+    carries it as `ShapeName`, from 1.1 on as `ShapeType`; the legacy tools of 0.18, which 0.20
+    still offers, as `ToolType`, by names of their own.
     """
     for name in ("ShapeType", "ShapeName", "ToolType"):
         if hasattr(tool, name):
-            return "".join(c for c in str(getattr(tool, name)).lower() if c.isalnum())
+            shape = "".join(c for c in str(getattr(tool, name)).lower() if c.isalnum())
+            return LEGACY_SHAPES.get(shape, shape) if name == "ToolType" else shape
     return ""
+
+
+def tool_name(tool: Any) -> str:
+    """Return what the user calls a tool; the legacy tools of 0.20 have no label."""
+    return str(tool.Label if hasattr(tool, "Label") else tool.Name)
 
 
 class _Chosen:

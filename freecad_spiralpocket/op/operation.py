@@ -31,6 +31,7 @@ from .compat import (
     PathSetupSheet,
     evaluate_constants,
     parent_job,
+    tool_name,
     tool_shape,
 )
 from .tools import ROUND_TOOLS, UNSUITABLE_TOOLS
@@ -199,7 +200,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
             )
         if not self.isToolSupported(obj, tool):
             raise SetupError(
-                f"{tool.Label} is not an end mill; it cannot clear a pocket.",
+                f"{tool_name(tool)} is not an end mill; it cannot clear a pocket.",
                 "Choose a tool controller with an end mill in it.",
             )
 
@@ -209,7 +210,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
             return []
         return [
             Notice(
-                f"{tool.Label} is not flat at its end and leaves ridges on the floor.",
+                f"{tool_name(tool)} is not flat at its end and leaves ridges on the floor.",
                 "Use a flat end mill, or finish the floor with one.",
             )
         ]

@@ -23,7 +23,7 @@ from ..engine.region import polygons_of
 from ..engine.swept import Pieces, cut_into_pieces
 from ..gcode import parse_program
 from .compat import operation_property, parent_job, tool_shape
-from .tools import ROUND_TOOLS, UNSUITABLE_TOOLS
+from .tools import FLAT_TOOLS
 
 #: A path that ends this much above the floor has cleared it [mm].
 SHALLOW = 0.005
@@ -101,13 +101,13 @@ def operations_before(obj: Any) -> Iterator[Any]:
 
 
 def _cutters_before(obj: Any) -> Iterator[tuple[Any, float]]:
-    """Yield the operations before this one that clear ground, and their cutters' diameters [mm]."""
+    """Yield the operations before this one that clear floors, and their cutters' diameters [mm]."""
     for operation in operations_before(obj):
         controller = operation_property(operation, "ToolController")
         if controller is None:
             continue
         tool = controller.Proxy.getTool(controller)
-        if tool and tool_shape(tool) not in (*ROUND_TOOLS, *UNSUITABLE_TOOLS):
+        if tool and tool_shape(tool) in FLAT_TOOLS:
             yield operation, float(tool.Diameter)
 
 

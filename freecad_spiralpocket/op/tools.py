@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+#: Tools that leave a flat floor wherever they have been. Of a shape of the user's own nobody knows.
+FLAT_TOOLS = ("endmill",)
 #: Tools that cut with their side, but leave ridges on the floor.
 ROUND_TOOLS = ("ballend", "bullnose", "torus", "taperedballnose")
 #: Tools that cannot clear a pocket at all.
@@ -11,6 +13,7 @@ UNSUITABLE_TOOLS = (
     "dovetail",
     "drill",
     "fillet",
+    "flycutter",
     "probe",
     "radius",
     "reamer",
