@@ -25,6 +25,8 @@ from .selection import SAME_HEIGHT
 
 #: Sections are taken this far above the height they are for [mm].
 ABOVE = 1e-3
+#: Now and then FreeCAD leaves a piece out, but not at all of these heights, over that.
+TRIES = (1.0, 2.0, 0.5)
 #: FreeCAD's sections of curved faces are out by up to this [mm].
 RIPPLE = 1e-4
 #: A part of a normal up to this is none; a plane from a file may be out by so much [rad].
@@ -35,6 +37,8 @@ PLACES = 9
 SHADOW_SAG = 5e-3
 
 UP = FreeCAD.Vector(0, 0, 1)
+
+Pieces = list[geometry.Piece]
 
 
 def over(faces: Iterable[Any], area: shapely.Geometry, z: float) -> Iterator[Any]:
@@ -47,23 +51,37 @@ def over(faces: Iterable[Any], area: shapely.Geometry, z: float) -> Iterator[Any
             yield face
 
 
-def section(faces: Iterable[Any], z: float, sag: float) -> list[np.ndarray]:
-    """Return the closed rings in which a plane cuts faces, free ground on their left."""
-    chains = []
-    for face in faces:
-        box = face.BoundBox
-        if box.ZMin < z + ABOVE < box.ZMax:
-            try:
-                edges = [e for wire in face.slice(UP, z + ABOVE) for e in wire.Edges]
-                chains += [_sided(edge, face, sag) for edge in edges]
-            except (Part.OCCError, RuntimeError) as error:
-                place = face.CenterOfMass
-                raise GeometryError(
-                    f"The wall at {{at}} cannot be cut at Z{z:g}: {error}.",
-                    "Repair the part (Part workbench, Check Geometry).",
-                    (place.x, place.y),
-                ) from error
-    return [geometry.ring_points(ring) for ring in _rings(chains)]
+def section(
+    faces: Iterable[Any], z: float, sag: float, within: Polygon | None = None
+) -> list[np.ndarray]:
+    """Return the closed rings in which a plane cuts faces, free ground on their left.
+
+    Parameters
+    ----------
+    faces : iterable of Part.Face
+    z : float
+        Height of the plane [mm].
+    sag : float
+        Largest distance of the rings from the faces [mm].
+    within : shapely.Polygon, optional
+        Where no face is missing, so that no ring ends; everywhere if None.
+
+    Raises
+    ------
+    GeometryError
+        If a ring is not closed.
+    """
+    cut, place = list(faces), None
+    for share in TRIES:
+        rings, broken = _rings(_chains(cut, z + share * ABOVE, sag))
+        place = _open_end(broken, within)
+        if place is None:
+            return [geometry.ring_points(ring) for ring in rings]
+    raise GeometryError(
+        f"The walls' outline at Z{z:g} is not closed at {{at}}.",
+        "Repair the part (Part workbench, Check Geometry).",
+        place,
+    )
 
 
 def solid_section(solid: Any, z: float, sag: float) -> shapely.Geometry:
@@ -138,7 +156,25 @@ def _normals(face: Any) -> np.ndarray:
     return np.array([tuple(face.normalAt(u, v)) for u in us for v in vs])
 
 
-def _sided(edge: Any, face: Any, sag: float) -> list[geometry.Piece]:
+def _chains(faces: Iterable[Any], z: float, sag: float) -> list[Pieces]:
+    """Return the edges in which the plane at `z` cuts faces, free ground on their left."""
+    chains = []
+    for face in faces:
+        if face.BoundBox.ZMin < z < face.BoundBox.ZMax:
+            try:
+                edges = [e for wire in face.slice(UP, z) for e in wire.Edges]
+                chains += [_sided(edge, face, sag) for edge in edges]
+            except (Part.OCCError, RuntimeError) as error:
+                place = face.CenterOfMass
+                raise GeometryError(
+                    f"The wall at {{at}} cannot be cut at Z{z:.2f}: {error}.",
+                    "Repair the part (Part workbench, Check Geometry).",
+                    (place.x, place.y),
+                ) from error
+    return chains
+
+
+def _sided(edge: Any, face: Any, sag: float) -> Pieces:
     """Return an edge of a section as pieces with free ground on their left."""
     pieces = geometry.pieces_of(edge, sag, RIPPLE)
     t0, t1 = edge.ParameterRange
@@ -149,20 +185,50 @@ def _sided(edge: Any, face: Any, sag: float) -> list[geometry.Piece]:
     return pieces if is_left else geometry.turned(pieces)
 
 
-def _rings(chains: list[list[geometry.Piece]]) -> list[list[geometry.Piece]]:
-    """Return the closed rings that chains form head to tail."""
-    left, rings = list(chains), []
+def _rings(chains: list[Pieces]) -> tuple[list[Pieces], list[Pieces]]:
+    """Return the closed rings that chains form head to tail, and what stays open."""
+    left = list(chains)
+    rings: list[Pieces] = []
+    broken: list[Pieces] = []
     while left:
         ring = list(left.pop())
-        while np.linalg.norm(ring[-1].end - ring[0].start) > geometry.GAP or len(ring) == 1:
-            gaps = [float(np.linalg.norm(c[0].start - ring[-1].end)) for c in left]
-            nearest = int(np.argmin(gaps)) if gaps else -1
-            if nearest < 0 or gaps[nearest] > geometry.GAP:
-                break
-            ring += left.pop(nearest)
+        while not _is_closed(ring) and _lengthened(ring, left):
+            pass
+        (rings if _is_closed(ring) else broken).append(ring)
+    return rings, broken
+
+
+def _is_closed(ring: Pieces) -> bool:
+    return len(ring) > 1 and _gap(ring[-1].end, ring[0].start) <= geometry.GAP
+
+
+def _gap(one: np.ndarray, other: np.ndarray) -> float:
+    return float(np.hypot(*(one - other)))
+
+
+def _lengthened(ring: Pieces, left: list[Pieces]) -> bool:
+    """Move the nearest chain that meets an end of a ring there; return whether there was one."""
+    for place in (len(ring), 0):
+        if place:
+            gaps = [_gap(chain[0].start, ring[-1].end) for chain in left]
         else:
-            rings.append(ring)
-    return rings
+            gaps = [_gap(chain[-1].end, ring[0].start) for chain in left]
+        nearest = int(np.argmin(gaps)) if gaps else -1
+        if nearest >= 0 and gaps[nearest] <= geometry.GAP:
+            ring[place:place] = left.pop(nearest)
+            return True
+    return False
+
+
+def _open_end(broken: list[Pieces], within: Polygon | None) -> tuple[float, float] | None:
+    """Return where a chain that is not closed ends, (x, y), if all of it should be there."""
+    for chain in broken:
+        if len(chain) == 1 and _gap(chain[0].start, chain[0].end) <= geometry.GAP:
+            continue  # a speck
+        for x, y in (chain[-1].end, chain[0].start):
+            if within is None or shapely.contains_xy(within, x, y):
+                return float(x), float(y)
+    return None
 
 
 def _above(triangles: np.ndarray, z: float) -> list[np.ndarray]:

@@ -177,7 +177,7 @@ class Walls:
                 known = {face.hashCode() for face in self._around}
                 faces = over(self._floor.solid.Faces, free, z)
                 inside = (f for f in faces if f.hashCode() not in known)
-                rings = [*around, *section(inside, z, self._sag)]
+                rings = [*around, *section(inside, z, self._sag, free)]
                 islands = [p for r in rings if signed_area(r) < 0 for p in polygons_in(r)]
                 solid = shapely.union_all(islands)
                 free = shapely.difference(free, solid)
