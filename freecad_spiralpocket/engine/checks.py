@@ -12,6 +12,7 @@ from dataclasses import fields
 import numpy as np
 from shapely import Polygon, get_coordinates, is_valid_reason
 
+from .entry import NARROWEST, WIDEST
 from .errors import GeometryError, RequestError
 from .model import FeedPlan, PocketRequest
 
@@ -19,7 +20,7 @@ from .model import FeedPlan, PocketRequest
 NESTED = 0.01
 #: Largest tolerance, over D.
 COARSEST = 0.05
-#: A pocket or a slot is cut in no more levels.
+#: A pocket or a slot is cut in no more levels, and the widest helix takes no more turns.
 MOST_LEVELS = 500
 
 
@@ -35,6 +36,7 @@ def check_request(request: PocketRequest) -> None:
     """
     _check_numbers(request)
     _check_heights(request)
+    _check_turns(request)
     _check_outline(request.pocket)
     if request.sections:
         _check_sections(request)
@@ -157,6 +159,21 @@ def _check_heights(request: PocketRequest) -> None:
             f"The heights are upside down: clearance {h.clearance:g} mm, safe {h.safe:g} mm, "
             f"start depth {h.start_depth:g} mm.",
             "Set ClearanceHeight above SafeHeight above StartDepth.",
+        )
+
+
+def _check_turns(request: PocketRequest) -> None:
+    """Check that the widest helix that there could be is no endless one."""
+    entry, radius = request.entry, request.cutter_radius
+    widest = min(WIDEST * radius, entry.max_diameter / 2 or math.inf)
+    around = 2 * math.pi * max(widest, NARROWEST * radius)
+    depth = request.heights.start_depth - request.floor
+    if depth > MOST_LEVELS * around * math.tan(entry.helix_angle):
+        least = math.degrees(math.atan(depth / (MOST_LEVELS * around)))
+        raise RequestError(
+            f"At a helix angle of {math.degrees(entry.helix_angle):g} degrees the cutter goes "
+            f"round more than {MOST_LEVELS} times on its way down.",
+            f"Set HelixAngle above {least:.2g} degrees; 5 is usual.",
         )
 
 

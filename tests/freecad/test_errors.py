@@ -126,6 +126,7 @@ def test_a_step_over_that_cannot_be(setting, stepover):
         ("StepDown", 1e-6, "more than 500 levels"),
         ("SlotBite", 1e-5, "more than 500 levels"),
         ("HelixAngle", 0, "helix angle"),
+        ("HelixAngle", 0.01, "more than 500 times on its way down"),
         ("FinishDepth", 50, "finish depth"),
         ("SafeHeight", -1, "heights"),
         ("ZStockToLeave", 9, "nothing is left to cut"),
