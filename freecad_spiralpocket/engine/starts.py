@@ -15,6 +15,7 @@ How a pocket is opened decides elongated pockets and pockets with islands:
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -128,9 +129,11 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
     axis = medial_axis(region)
     asked = request.start_point
     if asked is not None and region.distance(Point(asked)) < request.tool_diameter:
-        point = _point(region, _roomy(region, axis, request), request)
-        outlined = _outline(region, axis, request)
-        return [point] if outlined is None else [point, outlined]
+        near = _near(region, axis, request)
+        if near:
+            return near
+    # elsewhere any place is as good
+    request = replace(request, start_point=None)
     starts: list[Start] = []
     failure = None
     try:
@@ -154,6 +157,15 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
             )
         )
     return starts
+
+
+def _near(region: Polygon, axis: Skeleton, request: PocketRequest) -> list[Start]:
+    """Return the ways to open a region near the start point that was asked for; maybe none."""
+    outlined = _outline(region, axis, request)
+    starts = [] if outlined is None else [outlined]
+    with suppress(CutterDoesNotFitError):
+        starts.insert(0, _point(region, _roomy(region, axis, request), request))
+    return [start for start in starts if not _is_plunge(start, request)]
 
 
 def _is_plunge(start: Start, request: PocketRequest) -> bool:

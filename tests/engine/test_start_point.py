@@ -4,6 +4,7 @@
 import math
 
 import pytest
+from shapely import box
 from shapes import DUMBBELL, L_SHAPE, PENTAGON, request
 
 from freecad_spiralpocket.engine import plan
@@ -52,6 +53,20 @@ def test_a_start_far_off_is_told_where_a_method_begins_in_the_middle(strategy):
         assert off > made.request.tool_diameter
         assert len(told(made)) == 1
         assert strategy.value in told(made)[0]
+
+
+@pytest.mark.parametrize("width", [6.05, 6.1, 6.2])
+def test_a_channel_without_room_for_a_helix_is_entered_by_a_slot(width):
+    channel = box(0, 0, 60, width)
+    for asked in ((30.0, 3.0), (2.0, 3.0)):
+        made = plan(request(channel, strategy=Strategy.AUTOMATIC, start_point=asked))
+        path = made.toolpath
+        first = path.starts[path.points[:, 2] < 0][0]
+        off = math.hypot(*(first[:2] - asked))
+        assert made.report.uncut_area < 0.2 and made.report.gouge < 0.01
+        assert bool(told(made)) == (off > made.request.tool_diameter)
+        # along the wall a slot may begin anywhere, at the channel's ends it may not
+        assert off < 6.0 or asked[0] < 6.0
 
 
 @pytest.mark.parametrize("strategy", [Strategy.LINEAR_MORPH, Strategy.EXTENDED_ARCHIMEDEAN])
