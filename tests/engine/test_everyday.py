@@ -19,7 +19,7 @@ from freecad_spiralpocket.engine import plan, planner
 from freecad_spiralpocket.engine.engagement import along_path
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.linking import Motion, link_times
-from freecad_spiralpocket.engine.model import Cutting, Plan, Strategy
+from freecad_spiralpocket.engine.model import Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.toolpath import Kind, Role
 
 TOOTHED = shapely.union_all(
@@ -228,6 +228,18 @@ def test_way_down_in_a_room_hardly_wider_than_the_cutter_is_no_steeper(pocket):
     in_stock = (path.roles == Role.ENTRY) & (path.starts[:, 2] <= 1e-9)
     drop = (path.starts - path.points)[in_stock, 2]
     assert (drop <= path.lengths[in_stock] * math.sin(math.radians(5)) * 1.01).all()
+
+
+@pytest.mark.parametrize("strategy", [Strategy.LINEAR_MORPH, Strategy.CENTRAL_SPIRAL])
+@pytest.mark.parametrize("diameter", [0.1, 0.3])
+def test_room_of_hundredths_about_a_small_cutter_is_cut(diameter, strategy):
+    room = Point(0, 0).buffer(0.56 * diameter, quad_segs=64)
+    values = {"tool_diameter": diameter, "tolerance": diameter / 60, "strategy": strategy}
+    heights = Heights(8.0, 3.0, 0.0, -diameter, diameter)
+    asked = make_request(room, heights=heights, cutting=Cutting(0.4 * diameter), **values)
+    report = plan(asked).report
+    assert report.uncut_area < 1e-3 * diameter**2
+    assert report.gouge < 0.01 * diameter
 
 
 def test_extended_archimedean_refuses_a_slot_that_has_no_middle_line():

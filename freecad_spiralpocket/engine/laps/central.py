@@ -39,15 +39,13 @@ from ..region import grow, polygons_of
 from ..splines import periodic_beziers, periodic_controls, periodic_cubic, sample_beziers
 from ..starshape import deepest_center
 from ..timing import polyline_seconds
-from .closing import closing_passes, corner_fillet
+from .closing import closing_passes, corner_fillet, wall_inset
 from .linear_morph import spiral_beziers
 
 #: C, the end of the circular spiral, in the order tried: the paper's best first.
 RATIOS = (0.55, 0.5, 0.6, 0.45, 0.65, 0.4, 0.7, 0.3, 0.8)
 #: The wall is rounded by no more than this share of the room about the middle.
 MOST_FILLET = 0.5
-#: The spline of the wall runs this far inside of it [mm].
-INSET = 0.01
 #: Longest distance between its points, and turning between them [mm, rad]; halved until it stays
 #: inside the region.
 SAMPLE_LENGTH, SAMPLE_TURN = 8.0, 0.5
@@ -162,13 +160,14 @@ def wall_spline(region: Polygon, center: Floats, fillet: float) -> tuple[Floats,
     NotYetError
         If no spline keeps inside.
     """
-    rounded = polygons_of(grow(grow(region, -fillet - INSET), fillet))[0]
+    inset = wall_inset(region.boundary.distance(Point(center)))
+    rounded = polygons_of(grow(grow(region, -fillet - inset), fillet))[0]
     ring = ring_from(np.array(rounded.exterior.coords)[:-1], center, toward=(1.0, 0.0))
     for halving in range(HALVINGS):
         share = 0.5**halving
         points = turning_samples(ring, SAMPLE_LENGTH * share, SAMPLE_TURN * share)
         breaks, controls = periodic_cubic(points)
-        curve = sample_beziers(periodic_beziers(breaks, controls), INSET / 4)
+        curve = sample_beziers(periodic_beziers(breaks, controls), inset / 4)
         a, b = curve[:-1] - center, curve[1:] - center
         seen = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > -1e-6
         if seen.all() and region.contains(Polygon(curve)):

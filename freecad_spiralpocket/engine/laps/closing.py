@@ -23,6 +23,19 @@ FILLETS = (4.0, 3.0, 2.4, 1.75, 1.3, 1.0, 0.7, 0.5)
 #: What the rounding may leave in a corner for the closing lap, over the step-over: where the wall
 #: turns at once the engagement jumps.
 CORNER_BITE = 0.5
+#: The spline of the wall runs this far inside of it [mm], and no more than that over the room.
+INSET, MOST_INSET = 0.01, 0.25
+
+
+def wall_inset(room: float) -> float:
+    """Return how far inside of the wall its spline runs [mm].
+
+    Parameters
+    ----------
+    room : float
+        Of the cutter's center about the middle [mm].
+    """
+    return min(INSET, MOST_INSET * room)
 
 
 def corner_fillet(region: Polygon, stepover: float) -> float:

@@ -43,15 +43,13 @@ from ..splines import (
     sample_beziers,
 )
 from ..starts import leaves_no_post, slot_bite
-from .closing import closing_passes
+from .closing import closing_passes, wall_inset
 
 #: Fillet radius of the rounded wall over the step-over at first; halved while it takes more than
 #: `DEEPEST` off a corner, or anything off a neck.
 ROUNDING = 1.0
 #: What the fillet takes off a corner at most, over the step-over.
 DEEPEST = 1.5
-#: The spline of the wall runs this far inside of it [mm].
-INSET = 0.01
 #: Longest distance between interpolated points, and turning between them [mm, rad]; halved until
 #: the splines fit.
 SAMPLE_LENGTH, SAMPLE_TURN = 8.0, 0.5
@@ -178,7 +176,7 @@ def _fitted(region: Polygon, spine: Spine, request: PocketRequest) -> Morph:
         share = 0.5**halving
         points, partners = samples(SAMPLE_LENGTH * share, SAMPLE_TURN * share)
         breaks, outer = periodic_cubic(points)
-        curve = sample_beziers(periodic_beziers(breaks, outer), INSET / 4)
+        curve = sample_beziers(periodic_beziers(breaks, outer), wall_inset(spine.room) / 4)
         if not region.contains(Polygon(curve)):
             continue
         # control i + 1 of a periodic cubic goes with break i
@@ -231,12 +229,12 @@ def rounded_wall(
     -------
     ndarray of shape (n, 2)
     """
-    fillet = min(ROUNDING * stepover, 0.5 * spine.room)
+    fillet, inset = min(ROUNDING * stepover, 0.5 * spine.room), wall_inset(spine.room)
     corners = shapely.points(np.array(region.exterior.coords))
     for _ in range(HALVINGS):
-        rounded = polygons_of(grow(grow(region, -fillet - INSET), fillet))[0]
+        rounded = polygons_of(grow(grow(region, -fillet - inset), fillet))[0]
         shapely.prepare(rounded)
-        if shapely.dwithin(rounded, corners, DEEPEST * stepover + INSET).all():
+        if shapely.dwithin(rounded, corners, DEEPEST * stepover + inset).all():
             break
         fillet /= 2
     wall = np.array(rounded.exterior.coords)[:-1]
