@@ -10,7 +10,7 @@ import math
 from dataclasses import fields
 
 import numpy as np
-from shapely import Polygon, get_coordinates, is_valid_reason
+from shapely import Geometry, Polygon, get_coordinates, is_valid_reason
 
 from .entry import NARROWEST, WIDEST
 from .errors import GeometryError, RequestError
@@ -32,12 +32,14 @@ def check_request(request: PocketRequest) -> None:
     RequestError
         If a value makes no sense.
     GeometryError
-        If the pocket's outline is broken.
+        If the outline of the pocket, the stock, or what lies beyond open sides is broken.
     """
     _check_numbers(request)
     _check_heights(request)
     _check_turns(request)
     _check_outline(request.pocket)
+    _check_ground("the stock", request.stock)
+    _check_ground("the ground beyond the open sides", request.beyond)
     if request.sections:
         _check_sections(request)
 
@@ -182,6 +184,7 @@ def _check_sections(request: PocketRequest) -> None:
     top, above = request.heights.start_depth, None
     for section in request.sections:
         _check_outline(section.pocket)
+        _check_ground("the pocket's mouth", section.mouth)
         if not 0 < top - section.z < request.heights.step_down + NESTED:
             raise RequestError(
                 f"The level from Z{top:g} to Z{section.z:g} is not between 0 and the step down of "
@@ -209,4 +212,19 @@ def _check_outline(pocket: Polygon) -> None:
             f"The pocket's outline is broken ({is_valid_reason(pocket)}).",
             "Check the part's geometry in the Part workbench and repair the face.",
             (place[0], place[1]),
+        )
+
+
+def _check_ground(name: str, ground: Geometry | None) -> None:
+    """Check what may also be nothing at all."""
+    if ground is None or ground.is_empty:
+        return
+    points = get_coordinates(ground)
+    hint = "Check the geometry of the part and the job's stock."
+    if not np.isfinite(points).all():
+        raise GeometryError(f"The outline of {name} has points at infinity.", hint)
+    if not ground.is_valid:
+        place = (points[0, 0], points[0, 1])
+        raise GeometryError(
+            f"The outline of {name} is broken ({is_valid_reason(ground)}).", hint, place
         )

@@ -7,13 +7,13 @@ import math
 import re
 
 import pytest
-from shapely import box
+from shapely import MultiPolygon, Polygon, box
 from shapes import HEIGHTS, request
 
 from freecad_spiralpocket.engine.checks import MOST_LEVELS, check_request
 from freecad_spiralpocket.engine.entry import NARROWEST, WIDEST
-from freecad_spiralpocket.engine.errors import RequestError
-from freecad_spiralpocket.engine.model import Entry
+from freecad_spiralpocket.engine.errors import GeometryError, RequestError
+from freecad_spiralpocket.engine.model import Entry, Section
 
 ROOM = box(0, 0, 40, 40)
 
@@ -38,3 +38,24 @@ def test_a_helix_angle_is_refused_from_too_many_turns_on(diameter, limit):
         check_request(helical(diameter, angle(1.01 * MOST_LEVELS), limit))
     told = float(re.search(r"above ([\d.e-]+) degrees", caught.value.hint)[1])
     check_request(helical(diameter, math.radians(1.1 * told), limit))
+
+
+BOW_TIE = Polygon([(-10, -10), (50, 50), (50, -10), (-10, 50)])
+NOWHERE = Polygon([(0, 0), (math.inf, 1), (5, 5)])
+
+
+@pytest.mark.parametrize("ground", [BOW_TIE, MultiPolygon([BOW_TIE]), NOWHERE])
+@pytest.mark.parametrize("field", ["stock", "beyond", "mouth"])
+def test_a_broken_outline_is_refused_whatever_it_is_of(ground, field):
+    changes = {field: ground}
+    if field == "mouth":
+        changes = {"sections": (Section(HEIGHTS.final_depth, ROOM, ground),)}
+    with pytest.raises(GeometryError, match=r"outline of .*(broken|infinity)") as caught:
+        check_request(request(ROOM, **changes))
+    assert caught.value.hint
+
+
+@pytest.mark.parametrize("field", ["stock", "beyond"])
+@pytest.mark.parametrize("ground", [Polygon(), MultiPolygon(), box(-5, -5, 45, 45)])
+def test_there_need_not_be_any_stock_or_open_side(ground, field):
+    check_request(request(ROOM, **{field: ground}))
