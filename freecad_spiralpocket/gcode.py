@@ -20,6 +20,8 @@ from .engine.toolpath import Kind, Role, Toolpath, ToolpathBuilder
 
 #: Programs do not say how fast rapids are [mm/s].
 RAPID = 5000 / 60
+#: R may be less than half the way to the arc's end by this, from rounded words [mm].
+SHORT = 0.005
 
 _COMMENT = re.compile(r"\([^)]*\)|;.*")
 _WORD = re.compile(r"([A-Z])\s*([-+]?(?:\d+\.?\d*|\.\d+))")
@@ -78,6 +80,15 @@ def _words(line: str) -> list[tuple[str, float]]:
     return words
 
 
+def _no_ways(words: list[tuple[str, float]]) -> str:
+    """Return which of X, Y and Z lead nowhere in this line."""
+    codes = {value for letter, value in words if letter == "G"}
+    if codes & _MACHINE_G:
+        return "XYZ"
+    # how long to dwell is P or X
+    return "X" if 4 in codes and all(letter != "P" for letter, _ in words) else ""
+
+
 class _Reader:
     """Modal state of the interpreter."""
 
@@ -94,8 +105,8 @@ class _Reader:
     def take(self, words: list[tuple[str, float]]) -> None:
         """Carry out one line."""
         values: dict[str, float] = {}
-        if any(letter == "G" and value in _MACHINE_G for letter, value in words):
-            words = [(letter, value) for letter, value in words if letter not in "XYZ"]
+        no_ways = _no_ways(words)
+        words = [(letter, value) for letter, value in words if letter not in no_ways]
         for letter, value in words:
             if letter == "G":
                 self._set_mode(value)
@@ -103,7 +114,8 @@ class _Reader:
                 values[letter] = value
         if "F" in values:
             self.feed = values["F"] * self.unit / 60
-        if any(letter in values for letter in "XYZ") or (self.motion >= 2 and "I" in values):
+        places = "XYZIJ" if self.motion >= 2 else "XYZ"
+        if any(letter in values for letter in places):
             self._move(values)
 
     def _set_mode(self, code: float) -> None:
@@ -168,6 +180,11 @@ class _Reader:
             length, radius = math.hypot(*chord), values["R"] * self.unit
             if length == 0:
                 raise _NotUnderstoodError("an arc with R that ends where it begins")
+            if abs(radius) < length / 2 - SHORT:
+                raise _NotUnderstoodError(
+                    f"an arc of R{values['R']:g} does not reach its end, {length / self.unit:g} "
+                    "away"
+                )
             height = math.sqrt(max(0.0, radius**2 - length**2 / 4))
             side = (1 if ccw else -1) * (1 if radius > 0 else -1)
             normal = np.array([-chord[1], chord[0]]) / length

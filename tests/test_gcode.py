@@ -35,6 +35,13 @@ def test_full_circle_becomes_two_halves():
     np.testing.assert_allclose(path.points[0], [-10, 0, 0], atol=1e-12)
 
 
+@pytest.mark.parametrize("words", ["J5", "I0 J5", "I5", "X0 Y0 I3 J4"])
+def test_full_circle_needs_no_end_and_no_word_that_is_0(words):
+    path = parse_program(f"G0 X0 Y0 Z0\nG2 {words} F100")
+    assert path.lengths.sum() == pytest.approx(10 * math.pi)
+    np.testing.assert_allclose(path.points[-1], [0, 0, 0], atol=1e-12)
+
+
 def test_long_helical_arc_keeps_its_slope():
     path = parse_program("G0 X10 Y0 Z0\nG2 X0 Y10 Z-3 I-10 J0 F100")
     assert np.all(path.kinds == Kind.ARC_CW)
@@ -46,6 +53,23 @@ def test_long_helical_arc_keeps_its_slope():
 def test_radius_word_takes_the_short_or_the_long_way(radius, turn):
     path = parse_program(f"G0 X5 Y0 Z0\nG3 X0 Y5 R{radius} F100")
     assert abs(path.sweeps).sum() == pytest.approx(turn * math.pi)
+
+
+@pytest.mark.parametrize("unit", ["G21", "G20"])
+def test_radius_word_may_be_short_by_its_rounding_only(unit):
+    mm = 1.0 if unit == "G21" else 25.4
+    words = f"{unit} G0 X0 Y0 Z0\nG2 X{10 / mm:.9f} F100 R"
+    path = parse_program(f"{words}{4.997 / mm:.9f}")
+    np.testing.assert_allclose(path.centers, [[5, 0]], atol=1e-6)
+    for radius in (4.98, 2.0, -4.98):
+        with pytest.raises(RequestError, match="Line 2.* does not reach its end"):
+            parse_program(f"{words}{radius / mm:.9f}")
+
+
+@pytest.mark.parametrize("dwell", ["G4 X2", "G04 X2.", "G4 P2", "G4 P2000"])
+def test_dwelling_moves_nothing(dwell):
+    path = parse_program(f"G0 X0 Y0 Z0\nG1 X1 F100\n{dwell}\nY3")
+    assert path.points.tolist() == [[1, 0, 0], [1, 3, 0]]
 
 
 def test_ways_in_the_machines_coordinates_are_left_out():
