@@ -86,15 +86,21 @@ def repaired(
     prove_cuts, plan_again : callable
     """
     best, repair = proved, _Repair(request, plan_again)
+    latest = best
     for _ in range(ROUNDS):
         if not any(badness(best, request)):
             break
-        cuts = repair.mended(best)
+        cuts = repair.relinked(latest)
+        is_relinked = cuts is not None
+        if cuts is None:
+            cuts = repair.planned_again(best)
         if cuts is None:
             break
         tried = prove_cuts(cuts)
         if badness(tried, request) < badness(best, request):
             best = tried
+        # where one link has run through stock it may stand in the way of the next
+        latest = tried if is_relinked else best
     return best
 
 
@@ -135,15 +141,13 @@ class _Repair:
         self._lifted: dict[int, Pass] = {}
         self._settings: dict[bytes, list[PocketRequest]] = {}
 
-    def mended(self, proved: Proved) -> list[Cut] | None:
-        """Return cuts with the next change, None if there is nothing left to try."""
+    def relinked(self, proved: Proved) -> list[Cut] | None:
+        """Return cuts with other links where these run through stock; None without any new."""
         lead = LEAD * self._request.cutter_radius
         cuts = None
         if proved.report.link_hit <= lead:
             cuts = self._relinked(proved, self._led, partial(with_leads, length=lead))
-        return (
-            cuts or self._relinked(proved, self._lifted, with_lifts) or self._planned_again(proved)
-        )
+        return cuts or self._relinked(proved, self._lifted, with_lifts)
 
     def _relinked(
         self,
@@ -166,11 +170,13 @@ class _Repair:
         paths = {id(cut.path): cut.path for cut in proved.cuts}
         changed = {key: change(paths[key], parts) for key, parts in found.items()}
         for key, parts in found.items():
-            links = [*(paths[key].passes[i] for i in parts), *changed[key].passes]
+            before = {id(p) for p in paths[key].passes}
+            new = (p for p in changed[key].passes if id(p) not in before)
+            links = [*(paths[key].passes[i] for i in parts), *new]
             done.update({id(p): p for p in links if isinstance(p, Pass) and p.role is Role.LINK})
         return [replace(cut, path=changed.get(id(cut.path), cut.path)) for cut in proved.cuts]
 
-    def _planned_again(self, proved: Proved) -> list[Cut] | None:
+    def planned_again(self, proved: Proved) -> list[Cut] | None:
         """Return the cuts with new paths where something is wrong; None without any."""
         new: dict[bytes, FloorPath] = {}
         for cut in _sick(proved, self._request):

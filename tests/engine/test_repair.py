@@ -47,6 +47,13 @@ def strays(region, request, tick):
     return dataclasses.replace(path, passes=(Pass(back(path), Role.LINK), *path.passes))
 
 
+def strays_twice(region, request, tick):
+    """Link twice over the same stock: the first clears the way for the second."""
+    path = sound(region, request, tick)
+    links = (Pass(back(path), Role.LINK), Pass(back(path), Role.LINK))
+    return dataclasses.replace(path, passes=(*links, *path.passes))
+
+
 def leaves_half(region, request, tick):
     """Forget all but the first half of the spiral."""
     path = sound(region, request, tick)
@@ -207,6 +214,13 @@ def test_the_other_strategy_comes_last():
     tried = other_settings(asked)
     assert [t.cutting.stepover for t in tried] == pytest.approx([1.92, 1.536, 2.4])
     assert [t.strategy for t in tried][-1] is Strategy.AUTOMATIC
+
+
+def test_a_link_behind_another_is_lifted_too(use):
+    plain, made = use(sound), use(strays_twice, other=strays_twice)
+    assert made.report.link_hit == made.report.rapid_hit == 0.0
+    lifts = made.toolpath.kinds == Kind.RAPID
+    assert lifts.sum() == (plain.toolpath.kinds == Kind.RAPID).sum() + 4
 
 
 def test_a_link_at_the_very_end_is_left_out():
