@@ -129,10 +129,12 @@ def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> To
     ends = np.cumsum(lengths)
     cuts, rungs = [], []
     idle = _idle_spans(stations, toolpath.roles, engagement, rules.cutter_radius)
+    highest = int(np.log(rules.largest_ratio) / np.log(RUNG) + 1e-9)
     for first, last in _stretches(follows):
         span = (ends[first] - lengths[first], ends[last])
         edges, allowed = _steps_between(stations, ratios, *span)
         levels = np.floor(np.log(allowed * (1 + DEAD_BAND)) / np.log(RUNG)).astype(np.int64)
+        levels = np.minimum(levels, highest)
         edges, levels = lengthen_runs(edges, levels, least, RUNG)
         edges, levels = _snap(edges, levels, ends[first : last + 1], least * SNAP)
         cuts.append(edges[1:])
