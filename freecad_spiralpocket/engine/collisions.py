@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Motion through standing stock that is meant to be in the air: rapids and links.
 
-Along a move the engagement tells it, whose leading half of the rim is enough. A rapid
-straight down is different: the whole disc at its end must have been cleared to that
-depth. Rings of points in the disc are looked up in the earlier motion.
+Along a move the engagement tells it, whose leading half of the rim is enough. The way
+straight down is different, fed or not: the whole disc at its end must have been cleared to
+that depth. Rings of points in the disc are looked up in the earlier motion.
 """
 
 from __future__ import annotations
@@ -54,20 +54,25 @@ def hits_along(engagement: Engagement, chosen: NDArray[np.bool_], slack: float) 
     return Hit(float(engagement.lengths[through].sum()), (float(x), float(y)), moves)
 
 
-def rapid_plunges(
-    pieces: Pieces, cutter_radius: float, slack: float, stock: Region | None = None
+def plunges(
+    pieces: Pieces,
+    chosen: NDArray[np.bool_],
+    cutter_radius: float,
+    slack: float,
+    stock: Region | None = None,
 ) -> Hit:
-    """Return how far rapids go straight down into stock.
+    """Return how far the chosen pieces go straight down into stock.
 
     Parameters
     ----------
     pieces : Pieces
+    chosen : ndarray of bool
     cutter_radius, slack : float
         What stands within `slack` of the cutter's edge does not count [mm].
     stock : shapely.Polygon, optional
         Where it stands before the first move; by default everywhere.
     """
-    down = pieces.rapid & (pieces.lengths == 0) & (pieces.bottoms[:, 1] < pieces.bottoms[:, 0])
+    down = chosen & (pieces.lengths == 0) & (pieces.bottoms[:, 1] < pieces.bottoms[:, 0])
     disc = disc_points(cutter_radius - slack)
     length, place, moves = 0.0, None, set()
     for i in np.flatnonzero(down):

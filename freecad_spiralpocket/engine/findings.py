@@ -78,22 +78,25 @@ def tell_steps(step: Step) -> list[Notice]:
 
 
 def tell_engagement(
-    angle: float, place: Place, share: float, request: PocketRequest
+    angle: float, place: Place, share: float, is_slowed: bool, request: PocketRequest
 ) -> list[Notice]:
     """Tell where the engagement is largest [rad], if that is clearly above the limit.
 
-    And which share of the cut clearly passes the limit.
+    And which share of the cut clearly passes the limit, and whether the feed is lowered there.
     """
     limit = request.engagement_limit
     if angle <= over_limit(limit):
         return []
     percent = 100 * request.cutting.stepover / request.tool_diameter
+    hint = "Take a lower feed or a smaller SlotBite if that is too heavy for the cutter."
+    if is_slowed:
+        hint = "The feed is lowered there; take a lower one if that is too heavy for the cutter."
     return [
         Notice(
             f"At {{at}} the engagement reaches {np.degrees(angle):.0f} degrees, the step-over of "
             f"{percent:.0f} % allows {np.degrees(limit):.0f}; {100 * share:.2f} % of the cut "
             "clearly pass that.",
-            "The feed is lowered there; take a lower one if that is too heavy for the cutter.",
+            hint,
             place,
         )
     ]

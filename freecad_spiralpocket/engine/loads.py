@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How hard a path loads the cutter: engagement and chip load at the floors, bite on the way down.
 
-Figures are weighted by length. The end of the way down, and what comes right after the
-cutter has arrived in the solid, is entry: there a slot cannot be avoided, and it does not
-count.
+Figures are weighted by length. Links do not count, nor does the end of the way down and
+what comes right after the cutter has arrived in the solid: there a slot cannot be avoided.
 """
 
 from __future__ import annotations
@@ -22,6 +21,8 @@ from .toolpath import Kind, Role, Toolpath
 
 #: A height is a floor if the level motion there is at least this share of the longest.
 FLOOR_SHARE = 0.5
+#: A feed is told as lowered from this share of the programmed one on.
+SLOWED = 0.99
 #: Tool circumferences at a floor, after the cutter arrived in the solid, that may still be entry.
 ENTRY_TURNS = 1.5
 
@@ -36,6 +37,8 @@ class Load:
         Engagement angle at the floors after the entry [rad].
     place : tuple of float or None
         Where it is largest, (x, y) [mm].
+    is_slowed : bool
+        Whether the feed is lowered there.
     over_share : float
         Share of the length there that clearly passes the limit.
     chip_p99 : float
@@ -48,6 +51,7 @@ class Load:
     p99: float
     mean: float
     place: tuple[float, float] | None
+    is_slowed: bool
     over_share: float
     chip_p99: float
     bite: float
@@ -72,6 +76,7 @@ def measure_load(
     at_floor = fed & _near_any(engagement.points[:, 2], floors(pieces, known))
     entry = toolpath.roles[engagement.moves] == Role.ENTRY
     judged = at_floor & ~_is_entry(engagement, at_floor, entry, request.cutter_radius)
+    judged &= toolpath.roles[engagement.moves] != Role.LINK  # in the air, or told as a hit
     angles, lengths, limit = engagement.angles, engagement.lengths, request.engagement_limit
     cuts = np.isin(toolpath.roles[engagement.moves], (Role.CUT, Role.FINISH))
     chips = chip_loads(toolpath, engagement, request.feeds.horizontal, limit)
@@ -79,11 +84,13 @@ def measure_load(
     over = float(lengths[judged & (angles > over_limit(limit))].sum())
     worst = int(np.argmax(np.where(judged, angles, -1.0))) if total > 0 else -1
     x, y = engagement.points[worst, :2] if total > 0 else (0.0, 0.0)
+    feed = toolpath.feeds[engagement.moves[worst]] if total > 0 else np.inf
     return Load(
         largest=float(angles[worst]) if total > 0 else 0.0,
         p99=_p99(angles, lengths, judged),
         mean=float((angles * lengths)[judged].sum()) / total if total > 0 else 0.0,
         place=(float(x), float(y)) if total > 0 else None,
+        is_slowed=bool(feed < SLOWED * request.feeds.horizontal),
         over_share=over / total if total > 0 else 0.0,
         chip_p99=_p99(chips, lengths, judged & cuts),
         bite=_p99(engagement.bites, lengths, fed & ~at_floor),

@@ -15,7 +15,7 @@ import shapely
 from shapely import MultiPolygon, Polygon
 
 from . import findings
-from .collisions import Hit, hits_along, rapid_plunges
+from .collisions import Hit, hits_along, plunges
 from .coverage import reachable_floor, uncut_floor
 from .engagement import Engagement, along_path
 from .gouge import gouge_depth
@@ -93,7 +93,9 @@ def prove(
             *findings.tell_hits("link", link.length, link.place),
             *findings.tell_uncut(uncut, request),
             *findings.tell_steps(step),
-            *findings.tell_engagement(load.largest, load.place, load.over_share, request),
+            *findings.tell_engagement(
+                load.largest, load.place, load.over_share, load.is_slowed, request
+            ),
         ),
     )
 
@@ -149,14 +151,17 @@ def _hits(
     engagement: Engagement,
     pieces: Pieces,
 ) -> tuple[Hit, Hit]:
-    """Return how far rapids and links run through stock."""
+    """Return how far rapids run through stock, and links, with all that is fed straight down."""
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
     slack = max(AIR_TOLERANCES * request.tolerance, AIR_SHARE * request.cutter_radius)
-    along = hits_along(engagement, ~fed, slack)
-    down = rapid_plunges(pieces, request.cutter_radius, slack, request.stock)
     links = fed & (toolpath.roles[engagement.moves] == Role.LINK)
-    rapid = Hit(along.length + down.length, along.place or down.place, along.moves | down.moves)
-    return rapid, hits_along(engagement, links, slack)
+    found = []
+    for along, down in ((~fed, pieces.rapid), (links, ~pieces.rapid)):
+        hits = hits_along(engagement, along, slack)
+        into = plunges(pieces, down, request.cutter_radius, slack, request.stock)
+        length, moves = hits.length + into.length, hits.moves | into.moves
+        found.append(Hit(length, hits.place or into.place, moves))
+    return found[0], found[1]
 
 
 def _cut_length(toolpath: Toolpath, top: float) -> float:

@@ -39,6 +39,15 @@ def started(x: float, y: float, z: float = FLOOR) -> ToolpathBuilder:
     return builder
 
 
+def ramped(x: float, y: float) -> ToolpathBuilder:
+    """Return the beginning of a path that ramps down, over 8 mm to the right and back."""
+    builder = ToolpathBuilder((x, y, 5.0))
+    builder.rapid(50.0, z=0.0)
+    builder.line((x + 8, y, FLOOR), FEED, Role.ENTRY)
+    builder.line((x, y, FLOOR), FEED, Role.ENTRY)
+    return builder
+
+
 def lines(builder: ToolpathBuilder, *points, role: Role = Role.CUT) -> ToolpathBuilder:
     for x, y in points:
         builder.line((x, y, FLOOR), FEED, role)
@@ -64,7 +73,7 @@ def uncut_area(pocket: Polygon, path: Toolpath, skin: float = 0.0) -> float:
 
 def clears_square(stepover: float = 2.0) -> Toolpath:
     """Return a path that clears the square: to and back, then along the walls."""
-    builder = started(3.0, 3.0)
+    builder = ramped(3.0, 3.0)
     for i, y in enumerate(np.arange(3.0, 37.0 + 1e-9, stepover)):
         lines(builder, *((3.0, y), (37.0, y))[:: 1 if i % 2 == 0 else -1])
     return lines(builder, (37, 37), (37, 3), (3, 3), (3, 37), (37, 37)).build()
@@ -241,6 +250,37 @@ def test_engagement_over_the_limit_is_told_in_degrees():
     assert "the engagement reaches 180 degrees, the step-over of 40 % allows 78; " in said(report)
 
 
+@pytest.mark.parametrize("feed", [FEED, FEEDS.horizontal])
+def test_what_is_told_of_the_feed_is_true(feed):
+    builder = started(3, 3)
+    builder.line((37, 3, FLOOR), feed, Role.CUT)
+    report = proved(builder.build())
+    assert ("The feed is lowered there" in said(report)) == (feed < FEEDS.horizontal)
+
+
+def test_links_do_not_dilute_the_engagement():
+    cut = lines(started(3, 3), (37, 3), (37, 20), (3, 20))
+    alone = proved(cut.build())
+    linked = proved(lines(cut, (20, 20), (3, 20), (37, 20), role=Role.LINK).build())
+    for name in ("engagement_p99", "engagement_mean", "over_limit_share"):
+        assert getattr(linked, name) == pytest.approx(getattr(alone, name)), name
+
+
+@pytest.mark.parametrize("role", [Role.CUT, Role.ENTRY])
+def test_no_way_straight_down_goes_into_stock_unseen(role):
+    cleared = lines(ramped(3, 3), (37, 3))
+    cleared.rapid(50.0, z=1.0)
+    cleared.rapid(50.0, 20.0, 3.0)
+    cleared.line((20, 3, FLOOR), FEED, role)
+    assert proved(cleared.build()).link_hit == 0.0
+    cleared.rapid(50.0, z=1.0)
+    cleared.rapid(50.0, 20.0, 12.0)
+    cleared.line((20, 12, FLOOR), FEED, role)
+    report = proved(cleared.build())
+    assert report.link_hit == pytest.approx(1.0 - FLOOR)
+    assert "runs through standing stock at X20.0 Y12.0" in said(report)
+
+
 def test_entry_is_not_judged():
     # one and a half circumferences are 28 mm: this slot is all entry
     report = proved(lines(started(3, 20), (31, 20)).build())
@@ -314,7 +354,7 @@ def test_rapid_plunge_onto_a_standing_post_is_told():
 
 
 def test_link_through_stock_is_told():
-    builder = lines(started(3, 20), (37, 20), role=Role.CUT)
+    builder = lines(ramped(3, 20), (37, 20), role=Role.CUT)
     assert proved(lines(builder, (3, 20), role=Role.LINK).build()).link_hit == 0.0
     report = proved(lines(builder, (3, 23), (20, 23), role=Role.LINK).build())
     assert report.link_hit > 15.0
