@@ -7,8 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
+from shapely.ops import substring
 
 from .model import Floats
 
@@ -17,6 +19,10 @@ LEAVE_RADIUS = 0.3
 HALVINGS = 4
 #: Chords of that quarter circle.
 CHORDS = 8
+#: A lap that begins nearer to the wall than this is on it [mm].
+ON_WALL = 1e-4
+#: It comes to the wall over R, halved until it fits; chords of that way.
+COME_HALVINGS, COME_CHORDS = 3, 12
 
 
 def leave_wall(lap: Floats, region: Polygon, cutter_radius: float) -> Floats:
@@ -46,6 +52,42 @@ def leave_wall(lap: Floats, region: Polygon, cutter_radius: float) -> Floats:
         if region.buffer(1e-6).covers(LineString(arc)):
             return arc[1:]
     return np.empty((0, 2))
+
+
+def come_to_wall(lap: Floats, here: Floats, region: Polygon, cutter_radius: float) -> Floats:
+    """Return a lap along a wall that begins beside it: it comes to the wall bit by bit.
+
+    A step aside would be two corners, at each of which the cutter stops at the finished wall. The
+    lap runs on as far as it took to come there.
+
+    Parameters
+    ----------
+    lap : ndarray of shape (n, 2)
+        Closed, first and last point the same, from the place on the wall that is nearest [mm].
+    here : ndarray of shape (2,)
+        Where the cutter comes from [mm].
+    region : shapely.Polygon
+        The cutter-center region; where the way to the wall would leave it the lap stays as it is.
+    cutter_radius : float
+        R [mm].
+    """
+    aside = here - lap[0]
+    line = LineString(lap)
+    if np.hypot(*aside) < ON_WALL or line.length < 2 * cutter_radius:
+        return lap
+    fence = region.buffer(ON_WALL)
+    for halving in range(COME_HALVINGS):
+        length = cutter_radius * 0.5**halving
+        first = shapely.get_coordinates(
+            shapely.segmentize(substring(line, 0.0, length), length / COME_CHORDS)
+        )
+        along = np.r_[0.0, np.cumsum(np.hypot(*np.diff(first, axis=0).T))] / length
+        off = 1 - along * along * (3 - 2 * along)
+        way = first + off[:, None] * aside
+        if fence.covers(LineString(way)):
+            rest = shapely.get_coordinates(substring(line, length, line.length))
+            return np.vstack([way, rest[1:], first[1:]])
+    return lap
 
 
 #: Handle lengths of a link over the distance of its ends, and absolute over R.

@@ -29,7 +29,7 @@ from .entry import slot_end
 from .floor import FloorPath, Helix, Pass, Slot
 from .kinks import has_kink, reach_of_kinks, softened
 from .leaving import straightest
-from .linking import Motion, leave_wall
+from .linking import Motion, come_to_wall, leave_wall
 from .model import Floats, PocketRequest, Tick
 from .ordering import Situation, Step, order
 from .polyline import ring_from, simplified
@@ -124,7 +124,7 @@ def path_through(
     for done, chain in enumerate(chains):
         tick(0.6 + 0.2 * done / len(chains))
         asked = None if walkers else request.start_point
-        walkers.append(_Walker(chain, move, request, asked))
+        walkers.append(_Walker(chain, move, region, request, asked))
     number = {id(node): i for i, node in enumerate(nodes)}
     home = {id(node): r for r, chain in enumerate(chains) for node in chain}
     runs = [
@@ -222,10 +222,11 @@ class _Walker:
         self,
         chain: list[_Node],
         move: Mover,
+        region: Polygon,
         request: PocketRequest,
         asked: tuple[float, float] | None = None,
     ) -> None:
-        self.chain, self.request, self.last = chain, request, 0
+        self.chain, self.region, self.request, self.last = chain, region, request, 0
         #: Where a core is to be opened, as near as it can be [mm].
         self.asked = asked
         #: The rings to morph through; a finishing lap is walked as it is.
@@ -292,6 +293,8 @@ class _Walker:
             points, place = turn(inner, outer, matched, place, SPACING)
             pieces.append(points[1:])
         lap = self._closed_lap(place)
+        if self.chain[-1].wall:
+            lap = come_to_wall(lap, pieces[-1][-1], self.region, self.request.cutter_radius)
         self.last = len(lap)
         return np.vstack([*pieces, lap])
 

@@ -12,7 +12,7 @@ import shapely
 from shapely import Polygon
 
 from ..floor import Pass
-from ..linking import leave_wall
+from ..linking import come_to_wall, leave_wall
 from ..model import Floats, PocketRequest
 from ..polyline import ring_from, simplified
 from ..region import grow
@@ -68,6 +68,7 @@ def closing_passes(
     lap = rounded
     if request.cutting.finishing_lap:
         wall = ring_from(np.array(region.exterior.coords)[:-1], spiral[-1])
+        wall = come_to_wall(wall, spiral[-1], region, request.cutter_radius)
         lap = simplified(wall, request.tolerance / 2)
     leave = leave_wall(lap, region, request.cutter_radius)
     return Pass(spiral, Role.CUT), Pass(lap, Role.FINISH), Pass(leave, Role.LINK)
