@@ -43,6 +43,7 @@ from .open_sides import needed
 from .rendering import Cut, render
 from .repair import Proved, badness, repaired
 from .rooms import Room, rooms_of
+from .sizes import planned_resized
 from .stations import ends_of, moves_at, stations_of
 from .timing import time_of
 from .toolpath import Toolpath
@@ -97,13 +98,15 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     prove_cuts = partial(
         _proved, request=request, complete=len(cuts) == len(rooms), progress=progress
     )
-    again = partial(_planned_again, progress=progress)
+    other: dict[int, PocketRequest] = {}
+    again = partial(_planned_again, used=other, progress=progress)
     proved = repaired(prove_cuts(cuts), request, prove_cuts, again)
     toolpath, report = proved.toolpath, proved.report
     _refuse_bad(proved, request)
     _tell(progress, 1.0, "Done")
     seconds = time_of(toolpath, request.machine or MIDDLING).total
-    told = (*notices, *uncut, *_start_notices(toolpath, request), *report.notices)
+    changed = _change_notices(proved.cuts, other, request)
+    told = (*notices, *uncut, *changed, *_start_notices(toolpath, request), *report.notices)
     report = replace(report, time=seconds, notices=told)
     return Plan(asked, toolpath, report, _curves(proved.cuts, request))
 
@@ -182,15 +185,48 @@ def _proved(
 
 
 def _planned_again(
-    region: Polygon, request: PocketRequest, progress: Progress | None
+    region: Polygon,
+    request: PocketRequest,
+    used: dict[int, PocketRequest],
+    progress: Progress | None,
 ) -> FloorPath | None:
-    """Return the path of one region by other settings, None if these cannot cut it."""
+    """Return the path of one region by other settings, None if these cannot cut it.
+
+    Which they are is noted in `used`, by the identity of the way down, which every repair keeps.
+    """
 
     def tick(done: float) -> None:
         _tell(progress, 0.8 + 0.1 * done, "Repairing the path")
 
     path = _floor_path(region, request, tick)
-    return path if isinstance(path, FloorPath) else None
+    if not isinstance(path, FloorPath):
+        return None
+    used[id(path.entry)] = request
+    return path
+
+
+def _change_notices(
+    cuts: Sequence[Cut], used: dict[int, PocketRequest], request: PocketRequest
+) -> list[Notice]:
+    """Return what is to be told of regions that are cut by other settings than those asked for."""
+    told: dict[int, Notice] = {}
+    for cut in cuts:
+        other = used.get(id(cut.path.entry))
+        if other is None:
+            continue
+        place = cut.room.region.representative_point()
+        asked, taken = request.cutting.stepover, other.cutting.stepover
+        change = f"the strategy {other.strategy.value} instead of {request.strategy.value}"
+        hint = "Choose that strategy, or another step-over."
+        if other.strategy is request.strategy:
+            change = f"a step-over of {taken:.3g} mm instead of {asked:.3g} mm"
+            hint = f"Set StepOver to {100 * taken / request.tool_diameter:.0f}, or a smaller one."
+        told[id(cut.path.entry)] = Notice(
+            f"The pocket at {{at}} is cut with {change}: the path asked for failed its proof.",
+            hint,
+            (float(place.x), float(place.y)),
+        )
+    return list(told.values())
 
 
 def _refuse_bad(proved: Proved, request: PocketRequest) -> None:
@@ -296,7 +332,7 @@ def _floor_path(
         # a ring about what was cleared before would have an island that is none
         region = part if len(part.interiors) == len(region.interiors) else region
     try:
-        return strategy(region, request, tick)
+        return planned_resized(strategy, region, request, tick)
     except CancelledError:
         raise
     except SpiralPocketError as error:

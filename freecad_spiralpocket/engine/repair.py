@@ -41,8 +41,8 @@ WORTH = 0.01
 #: Links that touch stock over no more than this become cuts over so much at both ends, over R:
 #: they begin and end at its very edge.
 LEAD = 0.5
-#: A gouge below the tolerance and this is none [mm].
-GOUGE_SLACK = 0.005
+#: A gouge below the tolerance and this is none [mm], nor one below it and this share of it.
+GOUGE_SLACK, GOUGE_SHARE = 0.005, 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -110,7 +110,8 @@ def badness(proved: Proved, request: PocketRequest) -> tuple[float, float, float
     Each is 0 where it is good enough; the first that differs decides between two paths.
     """
     report = proved.report
-    gouge = report.gouge - request.tolerance - GOUGE_SLACK
+    slack = min(GOUGE_SLACK, GOUGE_SHARE * request.tolerance)
+    gouge = report.gouge - request.tolerance - slack
     hit = max(report.rapid_hit, 0.0) + max(report.link_hit, 0.0)
     struck = report.rapid_hit > TOUCH or report.link_hit > TOUCH
     left = _left(report, request) if proved.complete else 0.0

@@ -2,26 +2,53 @@
 """A request, and the path planned for it, in another size.
 
 A cutter of a tenth of the size cuts a pocket of a tenth of the size in the same time by the
-same path, if all that has a length in it, speeds and accelerations too, is a tenth. So a strategy
-may plan in the size that its own lengths are made for.
+same path, if all that has a length in it, speeds and accelerations too, is a tenth. So strategies
+plan in the size that their own lengths are made for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
 from typing import Any, TypeVar
 
-from shapely import Geometry
+from shapely import Geometry, Polygon
 from shapely.affinity import scale
 
+from .errors import SpiralPocketError
 from .floor import FloorPath, Helix, Pass, Plunge, Slot, WayDown
 from .machine import MIDDLING, Axes, Machine
-from .model import Feeds, Heights, PocketRequest, Section
+from .model import Feeds, Heights, PocketRequest, Section, Tick
+
+#: The lengths in mm of all strategies are meant for this R and this tolerance [mm].
+SIZE, EXACT = 3.0, 0.01
 
 Shape = TypeVar("Shape", bound=Geometry)
 #: A dataclass.
 Record = TypeVar("Record")
+
+
+def planned_resized(
+    strategy: Callable[[Polygon, PocketRequest, Tick], FloorPath],
+    region: Polygon,
+    request: PocketRequest,
+    tick: Tick,
+) -> FloorPath:
+    """Return a region's path by a strategy, in the size that its lengths are meant for.
+
+    A smaller cutter's pocket is planned larger. A larger one's is planned smaller as far as the
+    tolerance is coarser too. Places in errors are those of the pocket.
+    """
+    factor = max(SIZE / request.cutter_radius, min(1.0, EXACT / request.tolerance))
+    if factor == 1.0:
+        return strategy(region, request, tick)
+    try:
+        path = strategy(resized(region, factor), resized_request(request, factor), tick)
+    except SpiralPocketError as error:
+        if error.place is not None:
+            error.place = (error.place[0] / factor, error.place[1] / factor)
+        raise
+    return resized_path(path, 1.0 / factor)
 
 
 def resized(shape: Shape, factor: float) -> Shape:

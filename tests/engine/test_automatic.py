@@ -36,7 +36,12 @@ from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.region import center_regions
 from freecad_spiralpocket.engine.routing import LongWays, tightest_bend
-from freecad_spiralpocket.engine.sizes import resized, resized_path, resized_request
+from freecad_spiralpocket.engine.sizes import (
+    planned_resized,
+    resized,
+    resized_path,
+    resized_request,
+)
 from freecad_spiralpocket.engine.starts import slot_bite
 from freecad_spiralpocket.engine.strokes import Stroke
 from freecad_spiralpocket.engine.toolpath import Role
@@ -129,12 +134,25 @@ def test_size_and_tolerance_need_not_go_together(radius, tolerance):
     assert result.report.gouge <= tolerance + 0.005
 
 
+@pytest.mark.parametrize(
+    "strategy", [s for s in Strategy if s is not Strategy.AUTOMATIC], ids=lambda s: s.name
+)
+def test_the_smallest_cutters_are_planned_as_any(strategy):
+    made = resized_request(make_request(SQUARE, strategy=strategy), 1 / 30)
+    report = plan(replace(made, tolerance=0.0005)).report
+    assert report.uncut_area < 1e-4 and report.gouge <= 0.001
+    assert not [n for n in report.notices if "failed its proof" in n.message]
+
+
 def test_all_else_resized_too_the_path_is_the_same():
     made = make_request(L_SHAPE, strategy=Strategy.AUTOMATIC)
     region = center_regions(made.pocket, made.cutter_radius, 0.0)[0]
-    path = automatic_laps.floor_path(region, made, lambda done: None)
-    small = automatic_laps.floor_path(
-        resized(region, 0.1), resized_request(made, 0.1), lambda done: None
+    path = planned_resized(automatic_laps.floor_path, region, made, lambda done: None)
+    small = planned_resized(
+        automatic_laps.floor_path,
+        resized(region, 0.1),
+        resized_request(made, 0.1),
+        lambda done: None,
     )
     back = resized_path(small, 10.0)
     assert [p.role for p in back.passes] == [p.role for p in path.passes]

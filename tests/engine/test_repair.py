@@ -138,6 +138,8 @@ def test_what_fails_at_every_stepover_is_planned_by_the_other_strategy(use):
     made = use(begins_with(Pass(FAR, Role.LINK)))
     assert made.report.link_hit == made.report.rapid_hit == 0.0
     assert len(made.curves) == 1
+    (told,) = [n for n in made.report.notices if "failed its proof" in n.message]
+    assert "strategy Linear Morph instead of Automatic" in told.message
 
 
 def test_what_stays_in_stock_is_refused_with_its_place(use):
@@ -150,6 +152,16 @@ def test_what_stays_in_stock_is_refused_with_its_place(use):
 def test_a_gouge_is_cured_by_a_smaller_stepover(use):
     made = use(only_if_as_asked(gouges))
     assert made.report.gouge <= made.request.tolerance
+    (told,) = [n for n in made.report.notices if "failed its proof" in n.message]
+    assert "a step-over of 1.92 mm instead of 2.4 mm" in told.message
+    assert told.hint.startswith("Set StepOver to 32")
+
+
+def test_a_gouge_above_a_fine_tolerance_is_none_the_less(use):
+    proved = Proved((), None, use(sound).report, frozenset())
+    fine = dataclasses.replace(request_of(SQUARE), tolerance=0.001)
+    report = dataclasses.replace(proved.report, gouge=0.002)
+    assert badness(dataclasses.replace(proved, report=report), fine)[0] > 0
 
 
 def test_a_gouge_that_stays_is_refused(use):

@@ -43,15 +43,12 @@ from ..promising import promising
 from ..region import polygons_of
 from ..sequence import in_better_sequence
 from ..shaping import buffer, largest, oriented, thick_parts
-from ..sizes import resized, resized_path, resized_request
 from ..spiral import between
 from ..starts import Start, candidates
 from ..stroke_runs import Run, runs_of, unit
 from ..strokes import Stroke, strokes_between, strokes_of
 from ..toolpath import Role
 
-#: The lengths in mm of all that Automatic is made of are meant for this R and this tolerance [mm].
-SIZE, EXACT = 3.0, 0.01
 #: Least radius of reentrant curves, over R.
 CLOSING = 1.33
 #: Radius with which fronts meet walls, over the step-over.
@@ -79,10 +76,7 @@ PIXELS = 24
 
 
 def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
-    """Make the path of one cutter-center region, in the size that the lengths here are meant for.
-
-    A smaller cutter's pocket is planned larger. A larger one's is planned smaller as far as the
-    tolerance is coarser too.
+    """Make the path of one cutter-center region.
 
     Parameters
     ----------
@@ -97,14 +91,6 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     CutterDoesNotFitError
         If there is no room to go down.
     """
-    factor = max(SIZE / request.cutter_radius, min(1.0, EXACT / request.tolerance))
-    if factor == 1.0:
-        return _planned(region, request, tick)
-    path = _planned(resized(region, factor), resized_request(request, factor), tick)
-    return resized_path(path, 1.0 / factor)
-
-
-def _planned(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
     region = oriented(shapely.simplify(region, 0.001))
     best = _fastest(starts_of(region, request), needed(region, request), request, tick)
     pieces = [] if request.stock is None else large_pieces(region, request)
