@@ -28,7 +28,16 @@ from .front_rules import NEW, FrontRules, engagement_step
 from .model import Floats
 from .polyline import points_at, simplified
 from .region import polygons_of
-from .shaping import SLIVER, Region, are_within, buffer, largest, oriented, welded
+from .shaping import (
+    SLIVER,
+    Region,
+    are_within,
+    buffer,
+    largest,
+    oriented,
+    welded,
+    without_whiskers,
+)
 from .walls import are_near_walls
 
 
@@ -200,7 +209,7 @@ def grow(
         if touched:
             grown = largest(welded([grown, *touched]))
             idle = [ground for ground in idle if ground not in touched]
-        front = oriented(grown)
+        front = oriented(without_whiskers(grown))
         yield front
 
 

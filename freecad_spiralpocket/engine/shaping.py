@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import TypeAlias
 
 import numpy as np
@@ -22,6 +22,8 @@ Region: TypeAlias = Polygon | MultiPolygon
 CRACK = 0.01
 #: What is thinner than twice this is a hairline [mm].
 HAIRLINE = 2e-4
+#: A shorter turn back in a ring is no whisker worth removing [mm].
+LONG = 0.05
 #: Left-over pieces of less area are not worth a stroke [mm2].
 SLIVER = 1e-3
 
@@ -79,6 +81,26 @@ def thick_parts(shape: Region) -> NDArray[np.object_]:
     core = buffer(shapely.simplify(shape, HAIRLINE / 10), -HAIRLINE)
     parts = shapely.get_parts(shapely.intersection(shape, buffer(core, 8 * HAIRLINE)))
     return parts[shapely.area(parts) > SLIVER]
+
+
+def without_whiskers(shape: Polygon) -> Polygon:
+    """Return a region without parts as thin as a hair, the same if its rings have no turn back.
+
+    Along a wall an intersection may leave a whisker of no width, millimeters long.
+    """
+    for ring in (shape.exterior, *shape.interiors):
+        ahead = np.diff(shapely.get_coordinates(ring), axis=0)
+        onward = np.roll(ahead, -1, axis=0)
+        lengths = np.hypot(*ahead.T), np.hypot(*onward.T)
+        across = np.abs(ahead[:, 0] * onward[:, 1] - ahead[:, 1] * onward[:, 0])
+        back = (ahead * onward).sum(axis=1) < 0
+        # how far apart both ways are where the shorter one ends
+        if (
+            back & (across < HAIRLINE * np.maximum(*lengths)) & (np.minimum(*lengths) > LONG)
+        ).any():
+            mitred = partial(shapely.buffer, join_style="mitre")
+            return largest(mitred(mitred(shape, -HAIRLINE), HAIRLINE))
+    return shape
 
 
 def oriented(shape: Polygon) -> Polygon:

@@ -10,7 +10,8 @@ import pytest
 import shapely
 from hypothesis import HealthCheck, Phase, given, settings
 from shapely import LineString, Point, Polygon, box
-from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TEE, crossed_bars
+from shapely.affinity import rotate, scale, translate
+from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TEE, crossed_bars, rounded
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
@@ -54,6 +55,22 @@ def test_pocket_is_cleared_inside_its_walls(name):
     assert report.gouge <= 0.01
     assert report.rapid_hit == 0
     assert report.link_hit == 0
+
+
+@pytest.mark.parametrize("shape", ["slim", "teardrop"])
+def test_a_mirrored_or_shifted_pocket_is_planned_at_once_as_well(shape):
+    pocket = rounded(box(-90, -7.5, 90, 7.5), 3.05)
+    if shape == "teardrop":
+        drop = shapely.union(Point(0, 0).buffer(22), Point(-50, 0).buffer(4)).convex_hull
+        pocket = rounded(drop, 3.5)
+    others = scale(pocket, -1, 1, origin=(0, 0)), translate(pocket, 1e-6, 0), rotate(pocket, 90)
+    reports = [
+        plan(make_request(p, strategy=Strategy.EXTENDED_ARCHIMEDEAN)).report
+        for p in (pocket, *others)
+    ]
+    assert not [n for r in reports for n in r.notices if "failed its proof" in n.message]
+    times = [report.time for report in reports]
+    assert max(times) < 1.1 * min(times)
 
 
 # each example takes a good part of a second: a failing one is told as it is, not shrunk

@@ -15,7 +15,7 @@ from freecad_spiralpocket.engine import open_sides, plan
 from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
 from freecad_spiralpocket.engine.model import Cutting, Strategy
 from freecad_spiralpocket.engine.outline import outline_of
-from freecad_spiralpocket.engine.shaping import thick_parts
+from freecad_spiralpocket.engine.shaping import thick_parts, without_whiskers
 from freecad_spiralpocket.engine.spiral import closed_line, ends_of, spiral_through, without_air
 from freecad_spiralpocket.engine.strokes import strokes_between
 from freecad_spiralpocket.engine.toolpath import Role
@@ -160,3 +160,11 @@ def test_a_stroke_does_not_run_round_a_crack_along_the_wall():
     steps = np.diff(stroke.points, axis=0)
     assert ((steps[1:] * steps[:-1]).sum(axis=1) > -1e-9).all()
     assert stroke.points[0, 0] < 10
+
+
+def test_a_whisker_along_a_wall_is_removed():
+    whisker = Polygon([(0, 0), (9, 0), (9, 5), (0, 5), (0, 1e-9), (-4, 0), (0, 0)])
+    cleared = without_whiskers(whisker)
+    assert cleared.bounds == pytest.approx((0, 0, 9, 5), abs=1e-6)
+    assert cleared.area == pytest.approx(45)
+    assert without_whiskers(cleared) is cleared
