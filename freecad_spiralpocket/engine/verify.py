@@ -63,6 +63,10 @@ def prove(
     gouge, place = _gouge(levels, pieces, r + request.cutting.stock_to_leave)
     step = largest_step(levels, TOLD_STEP)
     too_deep = max(0.0, bottom - float(toolpath.points[:, 2].min(initial=bottom)))
+    worst = place
+    if too_deep > gouge:
+        x, y, _ = toolpath.points[int(np.argmin(toolpath.points[:, 2]))].tolist()
+        worst = (x, y)
     rapid, link = _hits(request, toolpath, engagement, pieces)
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
     return Report(
@@ -82,7 +86,7 @@ def prove(
         engagement_moves=engagement.moves[fed],
         uncut=uncut,
         gouge=max(gouge, too_deep),
-        gouge_place=place,
+        gouge_place=worst,
         hit_moves=rapid.moves | link.moves,
         step_width=step.width,
         step_height=step.height,

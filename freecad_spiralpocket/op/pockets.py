@@ -64,7 +64,7 @@ class Pockets:
         self._notices: list[Notice] = []
         self._failures: dict[str, tuple[SpiralPocketError, list[str]]] = {}
         self._deepest = min(selection.heights(obj.Base), default=0.0)
-        self._overhung: dict[str, float] = {}
+        self._overhung: dict[int, float] = {}
         self.plans: list[Plan] = []
         groups = seams.groups(selection.selected(obj.Base))
         self._selected = [floor for group in groups for floor in self._floors_of(*group)]
@@ -200,7 +200,7 @@ class Pockets:
         wanted = request.build(self._obj, above.outline, depth, stock, above.beyond)
         others = [other for other in floors if other is not floor]
         fitted = sections.fitted(wanted, floor, above, others, sag)
-        self._overhung[floor.label] = above.outline.area - fitted.pocket.area
+        self._overhung[id(floor)] = above.outline.area - fitted.pocket.area
         if self._obj.UseRestMachining:
             return rest.rest_of(fitted, self._obj, self._known)
         return fitted
@@ -240,8 +240,8 @@ class Pockets:
         found = remarks.depths(wanted, floor.z, self._obj)
         if floor.open_edges:
             found.append(remarks.open_sides(wanted))
-        if self._overhung[floor.label] > TOLD_OVERHANG:
-            found.append(remarks.overhang(self._overhung[floor.label]))
+        if self._overhung[id(floor)] > TOLD_OVERHANG:
+            found.append(remarks.overhang(self._overhung[id(floor)]))
         if self._obj.UseRestMachining:
             found.append(remarks.rest(rest.share_cleared(wanted)))
         return [self._labelled(floor, notice) for notice in found]

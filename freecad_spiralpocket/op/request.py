@@ -9,7 +9,6 @@ own height and never below, so that `FinalDepth` can also stop all pockets early
 from __future__ import annotations
 
 import math
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -69,9 +68,8 @@ def final_depth(obj: Any, z: float, deepest: float) -> float:
     return asked if z <= deepest + SAME_HEIGHT else max(asked, z)
 
 
-@cache
 def machine(name: str) -> Machine:
-    """Return the machine preset `name`, read once."""
+    """Return the machine preset `name`, as its file is now."""
     return machines.load(name, preferences.machine_folder())
 
 

@@ -314,6 +314,7 @@ def test_stock_to_leave_moves_the_wall():
 def test_cut_below_the_floor_is_told():
     path = started(20, 20, z=FLOOR - 0.3).build()
     assert proved(path).gouge == pytest.approx(0.3)
+    assert proved(path).gouge_place == (20, 20)
     assert "0.300 mm below the floor" in said(proved(path))
     assert proved(started(20, 20).build(), floor_stock=0.2).gouge == pytest.approx(0.2)
 

@@ -8,7 +8,7 @@ import pytest
 from sample_parts import add_job, add_part, area, block, rectangle
 
 from freecad_spiralpocket import machines
-from freecad_spiralpocket.op import operation, preferences, presets, properties
+from freecad_spiralpocket.op import operation, preferences, presets, properties, request
 
 #: One value other than the default for every option that a preset may hold.
 OTHERS = {
@@ -118,6 +118,10 @@ def test_the_users_own_machines_come_from_a_folder(tmp_path, parameters):
     folder = preferences.machine_folder()
     assert "mine" in machines.names(folder)
     assert machines.load("mine", folder) == machines.load("vmc")
+    assert request.machine("mine") == machines.load("vmc")
+    # a file may be edited while FreeCAD runs
+    (tmp_path / "mine.json").write_text((machines.FOLDER / "hobby_router.json").read_text())
+    assert request.machine("mine") == machines.load("hobby_router")
     preferences.write(preferences.MACHINE_FOLDER, str(tmp_path / "gone"), "")
     assert preferences.machine_folder() is None
 
