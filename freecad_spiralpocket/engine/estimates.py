@@ -33,7 +33,8 @@ def motion_of(request: PocketRequest) -> Motion:
     link = min(request.link_feed, machine.flat_speed)
     cut = min(request.feeds.horizontal, machine.flat_speed)
     least_radius = LEAST_RADIUS * request.cutter_radius
-    return Motion(min(machine.acceleration[:2]), link, cut, least_radius)
+    acceleration = min(*machine.acceleration[:2], machine.path_acceleration)
+    return Motion(acceleration, link, cut, least_radius)
 
 
 def seconds_of(steps: Sequence[Step], request: PocketRequest, motion: Motion) -> float:

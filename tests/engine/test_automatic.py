@@ -29,10 +29,12 @@ from shapes import request as make_request
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.cleared import ClearedMap
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
+from freecad_spiralpocket.engine.estimates import motion_of
 from freecad_spiralpocket.engine.findings import TOUCH
 from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
 from freecad_spiralpocket.engine.fronts import advance
 from freecad_spiralpocket.engine.laps import automatic as automatic_laps
+from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.region import center_regions
 from freecad_spiralpocket.engine.routing import LongWays, tightest_bend
@@ -158,6 +160,14 @@ def test_all_else_resized_too_the_path_is_the_same():
     assert [p.role for p in back.passes] == [p.role for p in path.passes]
     for one, other in zip(path.passes, back.passes, strict=True):
         assert LineString(one.points).hausdorff_distance(LineString(other.points)) < 0.01
+
+
+def test_links_know_the_acceleration_along_the_path():
+    brisk = replace(MIDDLING, acceleration=(900.0, 800.0, 300.0))
+    made = make_request(SQUARE)
+    assert motion_of(replace(made, machine=brisk)).acceleration == 800.0
+    slow = replace(brisk, path_acceleration=250.0)
+    assert motion_of(replace(made, machine=slow)).acceleration == 250.0
 
 
 def test_conventional_runs_the_other_way_round():
