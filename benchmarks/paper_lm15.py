@@ -26,7 +26,7 @@ from freecad_spiralpocket.engine.floor import Slot
 from freecad_spiralpocket.engine.laps import linear_morph
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest, Strategy
 from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.splines import periodic_beziers, sample_beziers
+from freecad_spiralpocket.engine.splines import periodic_beziers, sample_beziers, spiral_beziers
 
 #: Parameters at which the spiral is compared with equation 3.
 PARAMETERS = 10_000
@@ -99,7 +99,7 @@ def equation_3(region: Polygon, request: PocketRequest, u: np.ndarray) -> np.nda
     """Return ``(1 - u) d_in(m u) + u d_out(m u)``, both curves as scipy's periodic splines."""
     morph = linear_morph.morph_of(region, request)
     b = morph.breaks
-    turns, _ = linear_morph.spiral_beziers(b, morph.inner, morph.outer, request.cutting.stepover)
+    turns, _ = spiral_beziers(b, morph.inner, morph.outer, request.cutting.stepover)
     knots = np.concatenate([b[-4:-1] - 1, b, b[1:4] + 1])
     around = np.arange(len(b) + 2) % (len(b) - 1)
     d_in, d_out = (BSpline(knots, c[around], 3) for c in (morph.inner, morph.outer))

@@ -87,6 +87,18 @@ def test_import_rule_lets_pass():
     assert not forbidden_imports("engine", "from pathlib import Path", f"{OURS}.engine.module")
 
 
+def test_strategies_stand_apart():
+    # what two of them need has a module of its own; closing.py is one
+    laps = PACKAGE / "engine" / "laps"
+    strategies = {f"{OURS}.engine.laps.{file.stem}" for file in laps.glob("[!_]*.py")}
+    strategies.remove(f"{OURS}.engine.laps.closing")
+    assert len(strategies) == 5
+    for file in sorted((PACKAGE / "engine").rglob("*.py")):
+        module = ".".join(file.relative_to(ROOT).with_suffix("").parts)
+        found = imported_modules(file.read_text(encoding="utf-8"), module) & strategies
+        assert not found, f"{file.relative_to(ROOT)} imports {', '.join(found)}"
+
+
 def modules_after(statement):
     """Return the modules that a fresh Python has loaded after the statement, and its seconds."""
     code = (

@@ -18,16 +18,23 @@ from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from .filters import dilated
-from .model import Floats
+from .model import Floats, PocketRequest
 from .nearest import nearest
 from .strokes import Stroke
 
+#: Raster pixels across the cutter.
+PIXELS = 24
 #: Pixels along the side of a block.
 BLOCK = 4
 #: Pixels from the ends of a path within which the edge of free ground is good enough.
 ENDS = 3.0
 #: What frees a pixel, if no stroke does: it is free from the start, or never.
 START, NEVER = -1, -2
+
+
+def pixel_of(request: PocketRequest) -> float:
+    """Return the side of a pixel for the request's cutter [mm]."""
+    return request.tool_diameter / PIXELS
 
 
 class ClearedMap:

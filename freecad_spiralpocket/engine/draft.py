@@ -17,9 +17,8 @@ from shapely import Polygon
 
 from .checks import check_request
 from .floor import Plunge
-from .front_rules import FrontRules, engagement_step
+from .front_rules import FrontRules, engagement_step, rules_of
 from .fronts import ROOM, STALLED
-from .laps import automatic
 from .mirroring import mirrored, mirrored_request
 from .model import CutMode, Floats, PocketRequest
 from .open_sides import needed, starts_of
@@ -97,8 +96,8 @@ def openings(request: PocketRequest) -> list[Opening]:
         request = mirrored_request(request)
     for region in regions:
         starts = starts_of(region, request)
-        near = automatic.FEW * request.cutting.stepover
-        start, within = promising(starts, needed(region, request), near)[0]
+        inner = needed(region, request)
+        start, within = promising(starts, inner, request.cutting.stepover)[0]
         reaches_out = start.within is not None or isinstance(start.entry, Plunge)
         walls = within if reaches_out else start.omega
         ring = shapely.get_coordinates(start.ring)
@@ -163,7 +162,7 @@ def draft(request: PocketRequest, opened: list[Opening] | None = None) -> Draft:
         If no part of the pocket can be cut as asked.
     """
     opened = openings(request) if opened is None else opened
-    rules = automatic.rules_of(request)
+    rules = rules_of(request)
     laps = [lap for opening in opened for lap in _laps(opening, rules)]
     entries = [opening.ring for opening in opened]
     if request.cutting.cut_mode is CutMode.CONVENTIONAL:

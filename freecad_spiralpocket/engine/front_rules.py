@@ -13,13 +13,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .model import Floats
+from .model import Floats, PocketRequest
 
 #: Where the stock bends away from the cutter the step may be so much over the step-over.
 WIDEST = 1.15
 #: No step of a straight front is wider than this over R, and none at all than the second: laps that
 #: meet would leave stock between them, and reentrant kinks could not be rounded within reach.
 MEETING, FARTHEST = 0.88, 0.92
+#: Least radius of reentrant curves, over R.
+CLOSING = 1.33
+#: Radius with which fronts meet walls, over the step-over.
+FILLET = 1.75
 #: The front is new where it is farther than this from the region before [mm].
 NEW = 0.012
 
@@ -54,6 +58,13 @@ class FrontRules:
 def step_limit(engagement_limit: float) -> float:
     """Return the engagement angle up to which fronts may make use of the limit [rad]."""
     return min(engagement_limit, float(np.arccos(1 - MEETING)))
+
+
+def rules_of(request: PocketRequest) -> FrontRules:
+    """Return what governs the growth of fronts."""
+    radius, stepover = request.cutter_radius, request.cutting.stepover
+    limit = step_limit(request.engagement_limit)
+    return FrontRules(radius, limit, CLOSING * radius, FILLET * min(stepover, MEETING * radius))
 
 
 def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:

@@ -24,7 +24,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from .cleared import ClearedMap
+from .cleared import ClearedMap, pixel_of
 from .entry import slot_end
 from .floor import FloorPath, Helix, Pass, Slot
 from .kinks import has_kink, reach_of_kinks, softened
@@ -32,7 +32,8 @@ from .leaving import straightest
 from .linking import Motion, come_to_wall, leave_wall
 from .model import Floats, PocketRequest, Tick
 from .ordering import Situation, Step, order
-from .polyline import ring_from, simplified
+from .passes import slim
+from .polyline import ring_from
 from .spiral import BLEND, gaps, spiral_through, zone_length, zones
 from .stroke_runs import Run
 from .strokes import Stroke
@@ -45,16 +46,12 @@ SPACING, PARTNERS = 0.25, 0.3
 WIDEST = 1.3
 #: There both run side by side: in so many places, at no less than this share of the speed.
 ALONG, SLOWEST = 9, 0.3
-#: Points that matter less than this share of the tolerance are dropped.
-SLIM = 0.3
 #: A lap that ends beside a kink, which could not be spread there, goes on by its reach so often.
 ONWARD = 3
 #: Spreading kinks moves no point farther than this over the step-over.
 SOFT = 0.15
 #: Rings keep within this where a chain goes over from one to another [mm].
 OVER = 0.001
-#: Raster pixels across the cutter.
-PIXELS = 24
 
 #: Moves points from one level of the laps to another: (points, level, to level) -> points.
 Mover = Callable[[Floats, float, float], Floats]
@@ -139,8 +136,7 @@ def path_through(
     ]
     strokes = [Stroke(n.ring.points[:-1], n.lap, True, n.exterior) for n in nodes]
     regions = [lap.region for lap in laps]
-    pixel = request.tool_diameter / PIXELS
-    cleared = ClearedMap(regions, strokes, region, [], radius, pixel)
+    cleared = ClearedMap(regions, strokes, region, [], radius, pixel_of(request))
     start, heading = walkers[0].starts[0], walkers[0].headings[0]
     situation = Situation(cleared, region, start, heading, motion, radius)
     steps = order(runs, situation, partial(tick, 0.9))
@@ -249,7 +245,7 @@ class _Walker:
             return None
         if isinstance(first.core, Slot):
             ring = ring_from(first.ring.points[:-1], self.starts[0])
-            return Slot(simplified(ring, SLIM * self.request.tolerance)[:-1], first.core.bite)
+            return Slot(slim(ring, self.request)[:-1], first.core.bite)
         x, y = self.starts[0] - first.core.center
         return Helix(first.core.center, first.core.radius, math.atan2(y, x))
 
@@ -360,8 +356,7 @@ def _passes(
     steps: list[Step], walkers: list[_Walker], region: Polygon, request: PocketRequest
 ) -> list[Pass | Helix | Slot]:
     """Return what is cut in order, with links, lifts and entries."""
-    slack, radius = SLIM * request.tolerance, request.cutter_radius
-    soft = SOFT * request.cutting.stepover
+    radius, soft = request.cutter_radius, SOFT * request.cutting.stepover
     passes: list[Pass | Helix | Slot] = []
     for step in steps:
         walker = walkers[step.run]
@@ -371,15 +366,15 @@ def _passes(
         elif step.link is None:
             passes.append(Pass(step.points[:1], Role.AIR))
         else:
-            passes.append(Pass(simplified(step.link, slack), Role.LINK))
+            passes.append(Pass(slim(step.link, request), Role.LINK))
         if not walker.chain[-1].wall:
             cut = _within(softened(step.points, radius, soft), region)
-            passes.append(Pass(simplified(cut, slack), Role.CUT))
+            passes.append(Pass(slim(cut, request), Role.CUT))
             continue
         spiral, lap = step.points[: -walker.last], step.points[-walker.last :]
         if len(spiral) > 1:
             spiral = _within(softened(spiral, radius, soft), region)
-            passes.append(Pass(simplified(spiral, slack), Role.CUT))
-        passes.append(Pass(simplified(lap, slack), Role.FINISH))
+            passes.append(Pass(slim(spiral, request), Role.CUT))
+        passes.append(Pass(slim(lap, request), Role.FINISH))
     leave = leave_wall(steps[-1].points, region, request.cutter_radius)
     return [*passes, Pass(leave, Role.LINK)]

@@ -14,17 +14,28 @@ from .starts import Start
 
 #: A start is hopeless whose farthest wall is farther than this over the nearest one's.
 HOPELESS = 1.5
+#: So few levels are always worth simulating.
+FEW = 14
 #: Places within a region at which that is looked at, along each side.
 GRID = 40
 
 
 def promising(
-    starts: list[tuple[Start, Polygon]], region: Polygon, near: float
+    starts: list[tuple[Start, Polygon]], region: Polygon, stepover: float
 ) -> list[tuple[Start, Polygon]]:
     """Return the starts from which the farthest place is not hopelessly far, the nearest first.
 
     Fronts from elsewhere would need so many more levels, each with its strokes and links, that
-    simulating them is not worth the time; unless all places are within `near` [mm].
+    simulating them is not worth the time; unless all places are within a few step-overs.
+
+    Parameters
+    ----------
+    starts : list of tuple of Start and shapely.Polygon
+        Each with the region that is cut from there.
+    region : shapely.Polygon
+        What is to be cut.
+    stepover : float
+        [mm]
     """
     if len(starts) == 1:
         return starts
@@ -39,7 +50,7 @@ def promising(
     ]
     far = np.array([_farthest(places, ground) for ground in visited])
     order = np.argsort(far, kind="stable")
-    return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), near)]
+    return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), FEW * stepover)]
 
 
 def _sampled(line: shapely.Geometry, spacing: float) -> Floats:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Plane B-splines: periodic interpolation, Bezier pieces, products, joining, sampling.
+"""Plane B-splines: periodic interpolation, Bezier pieces, products, spirals, joining, sampling.
 
 A closed curve is held as its Bezier pieces, an array of shape (n, d + 1, 2)
 over breakpoints of shape (n + 1,): everything that LM15 does to curves is then
@@ -118,6 +118,37 @@ def multiply_linear(beziers: Floats, start: Floats, end: Floats) -> Floats:
     return (1 - share) * start[:, None, None] * padded[:, 1:] + share * end[:, None, None] * padded[
         :, :-1
     ]
+
+
+def spiral_beziers(
+    breaks: Floats, inner: Floats, outer: Floats, stepover: float
+) -> tuple[int, Floats]:
+    """Return the number of turns and the exact spiral as quartic Bezier pieces (LM15 eq. 5).
+
+    Parameters
+    ----------
+    breaks : ndarray of shape (n + 1,)
+    inner, outer : ndarray of shape (n, 2)
+        Periodic control points of ``d_in`` and ``d_out`` over the same breaks [mm].
+    stepover : float
+        [mm]
+
+    Returns
+    -------
+    turns : int
+        m, at least 1.
+    beziers : ndarray of shape (m * n, 5, 2)
+    """
+    b_in, b_out = periodic_beziers(breaks, inner), periodic_beziers(breaks, outer)
+    # control points bound the curve: no ruling is longer than the longest between them
+    longest = float(np.linalg.norm(b_out - b_in, axis=2).max())
+    turns = max(1, math.ceil(longest / stepover - 1e-9))
+    lap = np.repeat(np.arange(turns), len(inner))
+    start = (lap + np.tile(breaks[:-1], turns)) / turns
+    end = (lap + np.tile(breaks[1:], turns)) / turns
+    rising = multiply_linear(np.tile(b_out, (turns, 1, 1)), start, end)
+    falling = multiply_linear(np.tile(b_in, (turns, 1, 1)), 1 - start, 1 - end)
+    return turns, rising + falling
 
 
 def join_c2(beziers: Floats, breaks: Floats) -> SplineCurve:

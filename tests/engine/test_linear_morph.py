@@ -27,7 +27,7 @@ from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetErro
 from freecad_spiralpocket.engine.floor import Slot
 from freecad_spiralpocket.engine.laps import linear_morph
 from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.splines import periodic_cubic
+from freecad_spiralpocket.engine.splines import periodic_cubic, spiral_beziers
 
 PAPER = [pytest.param(p, id=n) for n, p in zip("345", (TRIANGLE, SQUARE, PENTAGON), strict=True)]
 
@@ -53,7 +53,7 @@ def closed_spline(breaks: np.ndarray, controls: np.ndarray) -> BSpline:
 def test_spiral_is_equation_3_exactly(pocket):
     region, path = spiral_of(pocket)
     morph = linear_morph.morph_of(region, make_request(pocket))
-    turns, _ = linear_morph.spiral_beziers(morph.breaks, morph.inner, morph.outer, 2.4)
+    turns, _ = spiral_beziers(morph.breaks, morph.inner, morph.outer, 2.4)
     u = np.linspace(0, 1, 10_000)[:-1]
     d_in, d_out = (closed_spline(morph.breaks, c) for c in (morph.inner, morph.outer))
     lap = (u * turns) % 1.0

@@ -19,7 +19,7 @@ import shapely
 import shapely.ops
 from shapely import LineString, Polygon
 
-from ..cleared import ClearedMap
+from ..cleared import ClearedMap, pixel_of
 from ..corners import finish_corners
 from ..errors import CutterDoesNotFitError, NotYetError
 from ..estimates import (
@@ -31,15 +31,15 @@ from ..estimates import (
     seconds_of,
 )
 from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
-from ..front_rules import MEETING, WIDEST, FrontRules, step_limit
+from ..front_rules import WIDEST, FrontRules, rules_of
 from ..fronts import MAX_FRONTS, STRETCH, grow
 from ..leftovers import is_left, large_pieces, without
 from ..linking import Motion
 from ..model import Floats, PocketRequest, Tick
 from ..open_sides import needed, starts_of, strokes_in_stock, strokes_within
 from ..ordering import Situation, Step, order
-from ..polyline import simplified
-from ..promising import promising
+from ..passes import passes_of
+from ..promising import FEW, promising
 from ..region import polygons_of
 from ..sequence import in_better_sequence
 from ..shaping import buffer, largest, oriented, thick_parts
@@ -47,16 +47,9 @@ from ..spiral import between
 from ..starts import Start, candidates
 from ..stroke_runs import Run, runs_of, unit
 from ..strokes import Stroke, strokes_between, strokes_of
-from ..toolpath import Role
 
-#: Least radius of reentrant curves, over R.
-CLOSING = 1.33
-#: Radius with which fronts meet walls, over the step-over.
-FILLET = 1.75
 #: A start is given up that needs more levels than this over the best.
 HOPELESS_LEVELS = 1.8
-#: So few levels are always worth simulating.
-FEW = 14
 #: No corner takes so many levels; what does is a channel hardly wider than the cutter, where
 #: strokes cannot hold the engagement. A start that leaves one is taken if it is faster by this.
 CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
@@ -67,12 +60,8 @@ TIE = 0.07
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
 CUSP = 0.8
-#: Points that matter less than this share of the tolerance are dropped.
-SLIM = 0.3
 #: The order of so many runs is searched for.
 WORTH_A_SEARCH = 4
-#: Raster pixels across the cutter.
-PIXELS = 24
 
 
 def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
@@ -149,7 +138,7 @@ def _fastest(
     motion, rules = motion_of(request), rules_of(request)
     _check_width(region, request)
     best, most = _Best(), MAX_FRONTS
-    starts = promising(starts, region, FEW * request.cutting.stepover)
+    starts = promising(starts, region, request.cutting.stepover)
     for i, (start, within) in enumerate(starts):
         done = partial(tick, i / len(starts))
         entry = entry_seconds(start, request, motion)
@@ -300,13 +289,6 @@ def _with_corners(
     return [*fronts, inside, *finish_corners(inside, region, rules)]
 
 
-def rules_of(request: PocketRequest) -> FrontRules:
-    """Return what governs the growth of fronts."""
-    radius, stepover = request.cutter_radius, request.cutting.stepover
-    limit = step_limit(request.engagement_limit)
-    return FrontRules(radius, limit, CLOSING * radius, FILLET * min(stepover, MEETING * radius))
-
-
 def _laid(
     start: Start,
     fronts: list[Polygon],
@@ -334,8 +316,7 @@ def _laid(
     late = [part for zone in zones for part in polygons_of(zone)]
     # about a plug's rounded corner the next lap is farther away than R
     reach = radius if start.within is None else 2 * radius
-    pixel = request.tool_diameter / PIXELS
-    cleared = ClearedMap(fronts, strokes, region, late, reach, pixel, start.ring)
+    cleared = ClearedMap(fronts, strokes, region, late, reach, pixel_of(request), start.ring)
     runs = runs_of(strokes, fronts, start.ring, radius, request.cutting.stepover)
     if opening:
         before, here = opening[-1].points[-2:]
@@ -379,16 +360,3 @@ def _mouths(start: Start, region: Polygon, overrun: float) -> list[Floats]:
                     begin = line.project(shapely.Point(part.coords[0]))
                     mouths.append(between(line, begin - overrun, part.length + 2 * overrun))
     return mouths
-
-
-def passes_of(steps: Sequence[Step], request: PocketRequest) -> tuple[Pass, ...]:
-    """Return the passes of runs, with the links or lifts between them."""
-    slack = SLIM * request.tolerance
-    passes = []
-    for step in steps:
-        if step.link is None:
-            passes.append(Pass(step.points[:1], Role.AIR))
-        elif len(step.link):
-            passes.append(Pass(simplified(step.link, slack), Role.LINK))
-        passes.append(Pass(simplified(step.points, slack), Role.CUT))
-    return tuple(passes)

@@ -36,11 +36,16 @@ from ..machine import MIDDLING
 from ..model import Floats, PocketRequest, Tick
 from ..polyline import ring_from, turning_samples
 from ..region import grow, polygons_of
-from ..splines import periodic_beziers, periodic_controls, periodic_cubic, sample_beziers
+from ..splines import (
+    periodic_beziers,
+    periodic_controls,
+    periodic_cubic,
+    sample_beziers,
+    spiral_beziers,
+)
 from ..starshape import deepest_center
 from ..timing import polyline_seconds
 from .closing import closing_passes, corner_fillet, wall_inset
-from .linear_morph import spiral_beziers
 
 #: C, the end of the circular spiral, in the order tried: the paper's best first.
 RATIOS = (0.55, 0.5, 0.6, 0.45, 0.65, 0.4, 0.7, 0.3, 0.8)

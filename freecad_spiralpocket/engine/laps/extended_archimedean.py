@@ -26,18 +26,20 @@ import shapely
 from shapely import LineString, Polygon
 
 from ..archimedean import Spiral, bend_at, spiral_about
-from ..cleared import ClearedMap
+from ..cleared import ClearedMap, pixel_of
 from ..clothoid_links import Place, clothoid_link, clothoid_way, turn_away
 from ..clothoids import ClothoidPath
 from ..corners import finish_corners
 from ..errors import NotYetError
 from ..estimates import motion_of
 from ..floor import FloorPath
+from ..front_rules import rules_of
 from ..fronts import MAX_FRONTS, grow
 from ..joints import walk_over
 from ..model import Floats, PocketRequest, Tick
 from ..openings import Opening, open_centers
 from ..ordering import SLACK, Situation, Step, order
+from ..passes import passes_of
 from ..polyline import points_at
 from ..routing import LongWays
 from ..shaping import largest, oriented
@@ -45,7 +47,6 @@ from ..skeleton import Skeleton, medial_axis
 from ..starts import Start
 from ..stroke_runs import runs_of
 from ..strokes import Stroke, strokes_of
-from .automatic import PIXELS, passes_of, rules_of
 
 #: Laps are no farther apart than this over D: in a square bend they are 1.41 times as far.
 WIDEST = 0.7
@@ -134,7 +135,7 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
     rest = [replace(s, level=s.level + turns) for s in strokes_of(fronts[turns:])]
     strokes = rest + [lap for _, lap in laps]
     radius = request.cutter_radius
-    cleared = ClearedMap(fronts, strokes, region, (), radius, request.tool_diameter / PIXELS)
+    cleared = ClearedMap(fronts, strokes, region, (), radius, pixel_of(request))
     owners = [i for i, _ in laps]
     freed = [
         [len(rest) + k for k, owner in enumerate(owners) if owner == i] for i in range(len(spirals))

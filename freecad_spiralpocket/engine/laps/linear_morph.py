@@ -37,10 +37,10 @@ from ..polyline import ring_from
 from ..region import grow, polygons_of
 from ..splines import (
     join_c2,
-    multiply_linear,
     periodic_beziers,
     periodic_cubic,
     sample_beziers,
+    spiral_beziers,
 )
 from ..starts import leaves_no_post, slot_bite
 from .closing import closing_passes, wall_inset
@@ -273,34 +273,3 @@ def fold(breaks: Floats, inner: Floats, outer: Floats) -> Floats | None:
         if jacobian[worst] > 1e-9 * scale:
             return places[:, worst[0], worst[1]]
     return None
-
-
-def spiral_beziers(
-    breaks: Floats, inner: Floats, outer: Floats, stepover: float
-) -> tuple[int, Floats]:
-    """Return the number of turns and the exact spiral as quartic Bezier pieces (LM15 eq. 5).
-
-    Parameters
-    ----------
-    breaks : ndarray of shape (n + 1,)
-    inner, outer : ndarray of shape (n, 2)
-        Periodic control points of ``d_in`` and ``d_out`` over the same breaks [mm].
-    stepover : float
-        [mm]
-
-    Returns
-    -------
-    turns : int
-        m, at least 1.
-    beziers : ndarray of shape (m * n, 5, 2)
-    """
-    b_in, b_out = periodic_beziers(breaks, inner), periodic_beziers(breaks, outer)
-    # control points bound the curve: no ruling is longer than the longest between them
-    longest = float(np.linalg.norm(b_out - b_in, axis=2).max())
-    turns = max(1, math.ceil(longest / stepover - 1e-9))
-    lap = np.repeat(np.arange(turns), len(inner))
-    start = (lap + np.tile(breaks[:-1], turns)) / turns
-    end = (lap + np.tile(breaks[1:], turns)) / turns
-    rising = multiply_linear(np.tile(b_out, (turns, 1, 1)), start, end)
-    falling = multiply_linear(np.tile(b_in, (turns, 1, 1)), 1 - start, 1 - end)
-    return turns, rising + falling

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Steps as passes: what is cut, and the links or lifts before it, in as few points as do."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .floor import Pass
+from .model import Floats, PocketRequest
+from .ordering import Step
+from .polyline import simplified
+from .toolpath import Role
+
+#: Points that matter less than this share of the tolerance are dropped.
+SLIM = 0.3
+
+
+def slim(points: Floats, request: PocketRequest) -> Floats:
+    """Return a path without the points that matter little, shape (n, 2) [mm]."""
+    return simplified(points, SLIM * request.tolerance)
+
+
+def passes_of(steps: Sequence[Step], request: PocketRequest) -> tuple[Pass, ...]:
+    """Return the passes of runs, with the links or lifts between them."""
+    passes = []
+    for step in steps:
+        if step.link is None:
+            passes.append(Pass(step.points[:1], Role.AIR))
+        elif len(step.link):
+            passes.append(Pass(slim(step.link, request), Role.LINK))
+        passes.append(Pass(slim(step.points, request), Role.CUT))
+    return tuple(passes)
