@@ -20,7 +20,7 @@ import shapely
 from .engine.engagement import along_path
 from .engine.errors import SetupError, SpiralPocketError
 from .engine.levels import floors
-from .engine.machine import MIDDLING
+from .engine.machine import machine_of
 from .engine.model import Floats, Plan, PocketRequest
 from .engine.region import polygons_of
 from .engine.timing import time_of
@@ -46,7 +46,7 @@ def plan_adaptive(request: PocketRequest) -> Plan:
         If this FreeCAD has no such library, or it finds no path.
     """
     toolpath = _toolpath(_regions(request), request)
-    request = replace(request, machine=request.machine or MIDDLING)
+    request = replace(request, machine=machine_of(request))
     engagement = along_path(
         toolpath,
         request.cutter_radius,

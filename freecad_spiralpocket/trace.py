@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from .engine.coverage import reachable_floor
-from .engine.machine import MIDDLING
+from .engine.machine import machine_of
 from .engine.model import Floats, Plan
 from .engine.region import polygons_of
 from .engine.stations import ends_of, moves_at, points_at, stations_of
@@ -94,7 +94,7 @@ def trace_of(plan: Plan) -> Trace:
     moves = moves_at(path, stations)
     with np.errstate(invalid="ignore", divide="ignore"):
         shares = np.nan_to_num((stations - begins[moves]) / path.lengths[moves])
-    motion = time_of(path, plan.request.machine or MIDDLING)
+    motion = time_of(path, machine_of(plan.request))
     middles = (stations[1:] + stations[:-1]) / 2
     on = moves_at(path, middles)
     cutting = path.kinds[on] != Kind.RAPID

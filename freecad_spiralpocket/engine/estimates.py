@@ -14,7 +14,7 @@ from .entry import slot_levels
 from .floor import Groove, Helix, Plunge
 from .groove import groove_path
 from .linking import Motion, link_times
-from .machine import MIDDLING
+from .machine import machine_of
 from .model import Floats, PocketRequest
 from .ordering import Step
 from .starts import Start
@@ -29,7 +29,7 @@ LIFT_SECONDS = 3.0
 
 def motion_of(request: PocketRequest) -> Motion:
     """Return what limits the motion between cuts on the request's machine."""
-    machine = request.machine or MIDDLING
+    machine = machine_of(request)
     link = min(request.link_feed, machine.flat_speed)
     cut = min(request.feeds.horizontal, machine.flat_speed)
     least_radius = LEAST_RADIUS * request.cutter_radius
@@ -56,7 +56,7 @@ def link_seconds(steps: Sequence[Step], motion: Motion) -> float:
 
 def way_seconds(points: Floats, request: PocketRequest, motion: Motion) -> float:
     """Return how long a way takes at the cutting feed, from and to full speed [s]."""
-    feed, machine = motion.cut_feed, request.machine or MIDDLING
+    feed, machine = motion.cut_feed, machine_of(request)
     if points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])
     return float(polyline_seconds(points, feed, machine, feed, feed))

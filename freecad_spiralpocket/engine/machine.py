@@ -20,7 +20,7 @@ from enum import Enum
 
 import numpy as np
 
-from .model import Floats
+from .model import Floats, PocketRequest
 
 #: x, y, z
 Axes = tuple[float, float, float]
@@ -127,6 +127,11 @@ class Machine:
 
 #: When nothing is known about the machine.
 MIDDLING = Machine("Middling", (200.0,) * 3, (1000.0,) * 3)
+
+
+def machine_of(request: PocketRequest) -> Machine:
+    """Return on which machine a request's time is to be least."""
+    return request.machine or MIDDLING
 
 
 def _along(directions: Floats, limits: Axes) -> Floats:

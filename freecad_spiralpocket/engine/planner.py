@@ -27,7 +27,7 @@ from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
 from .leftovers import is_left
 from .levels import levels_of
-from .machine import MIDDLING
+from .machine import machine_of
 from .mirroring import mirrored, mirrored_request
 from .model import (
     CutMode,
@@ -104,7 +104,7 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     toolpath, report = proved.toolpath, proved.report
     _refuse_bad(proved, request)
     _tell(progress, 1.0, "Done")
-    seconds = time_of(toolpath, request.machine or MIDDLING).total
+    seconds = time_of(toolpath, machine_of(request)).total
     changed = _change_notices(proved.cuts, other, request)
     told = (*notices, *uncut, *changed, *_start_notices(toolpath, request), *report.notices)
     report = replace(report, time=seconds, notices=told)
@@ -267,7 +267,7 @@ def _with_feeds(toolpath: Toolpath, request: PocketRequest) -> tuple[Toolpath, E
         link_feed=request.link_feed,
         slowed=wanted.slowed,
         largest_ratio=wanted.largest_ratio,
-        machine_speed=(request.machine or MIDDLING).flat_speed,
+        machine_speed=machine_of(request).flat_speed,
     )
     fed = plan_feeds(toolpath, engagement, rules)
     stations = stations_of(toolpath, engagement.moves, engagement.points)

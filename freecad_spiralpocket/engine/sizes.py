@@ -17,7 +17,7 @@ from shapely.affinity import scale
 
 from .errors import SpiralPocketError
 from .floor import FloorPath, Helix, Pass, Plunge, Slot, WayDown
-from .machine import MIDDLING, Axes, Machine
+from .machine import Axes, Machine, machine_of
 from .model import Feeds, Heights, PocketRequest, Section, Tick
 
 #: The lengths in mm of all strategies are meant for this R and this tolerance [mm].
@@ -69,7 +69,7 @@ def resized_request(request: PocketRequest, factor: float) -> PocketRequest:
         entry=_times(request.entry, factor, ["max_diameter", "slot_bite"]),
         tolerance=factor * request.tolerance,
         feed_plan=_times(request.feed_plan, factor, ["link_feed"]),
-        machine=resized_machine(request.machine or MIDDLING, factor),
+        machine=resized_machine(machine_of(request), factor),
         start_point=None if start is None else (factor * start[0], factor * start[1]),
         stock=None if request.stock is None else resized(request.stock, factor),
         beyond=None if request.beyond is None else resized(request.beyond, factor),

@@ -32,7 +32,7 @@ from shapely import Point, Polygon
 from ..entry import fit_helix_radius
 from ..errors import NotYetError
 from ..floor import FloorPath, Helix
-from ..machine import MIDDLING
+from ..machine import machine_of
 from ..model import Floats, PocketRequest, Tick
 from ..polyline import ring_from, turning_samples
 from ..region import grow, polygons_of
@@ -253,5 +253,5 @@ def unit_circle(center: Floats, breaks: Floats, outer: Floats) -> Floats:
 def _seconds(spiral: Floats, request: PocketRequest) -> float:
     """Return how long the machine takes for a spiral [s]."""
     points = np.column_stack([spiral, np.zeros(len(spiral))])
-    feed, machine = request.feeds.horizontal, request.machine or MIDDLING
+    feed, machine = request.feeds.horizontal, machine_of(request)
     return float(polyline_seconds(points, feed, machine))
