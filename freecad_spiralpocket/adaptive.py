@@ -17,13 +17,11 @@ from typing import Any
 import numpy as np
 import shapely
 
-from .engine.engagement import along_path
 from .engine.errors import SetupError, SpiralPocketError
 from .engine.levels import floors
 from .engine.machine import machine_of
 from .engine.model import Floats, Plan, PocketRequest
 from .engine.region import polygons_of
-from .engine.timing import time_of
 from .engine.toolpath import Role, Toolpath, ToolpathBuilder
 from .engine.verify import prove
 
@@ -47,15 +45,7 @@ def plan_adaptive(request: PocketRequest) -> Plan:
     """
     toolpath = _toolpath(_regions(request), request)
     request = replace(request, machine=machine_of(request))
-    engagement = along_path(
-        toolpath,
-        request.cutter_radius,
-        axial_depth=request.axial_depth,
-        top=request.heights.start_depth,
-        stock=request.stock,
-    )
-    report = prove(request, toolpath, engagement)
-    return Plan(request, toolpath, replace(report, time=time_of(toolpath, request.machine).total))
+    return Plan(request, toolpath, prove(request, toolpath))
 
 
 def _regions(request: PocketRequest) -> Sequence[Any]:

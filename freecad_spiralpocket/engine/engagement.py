@@ -26,7 +26,7 @@ from .air import intervals_in_air
 from .axial import standing_share
 from .gaps import Gaps, standing
 from .levels_alike import find_twins
-from .model import Floats
+from .model import Floats, PocketRequest
 from .neighbors import Neighbors, neighborhoods
 from .rim import cleared_intervals
 from .sampling import Samples, between, merge_order, merged, take_samples
@@ -84,6 +84,17 @@ class Engagement:
     lengths: Floats
     solid_arrivals: NDArray[np.bool_]
     moves: NDArray[np.int64]
+
+
+def engagement_of(toolpath: Toolpath, request: PocketRequest) -> Engagement:
+    """Measure the engagement along a toolpath in the stock that a request tells of."""
+    return along_path(
+        toolpath,
+        request.cutter_radius,
+        axial_depth=request.axial_depth,
+        top=request.heights.start_depth,
+        stock=request.stock,
+    )
 
 
 def along_path(

@@ -307,7 +307,7 @@ class Report:
     Attributes
     ----------
     time : float
-        On the request's machine [s]; from `prove` alone, every move at its own feed.
+        On the request's machine [s].
     cut_length : float
         Of all moves at cutting feed below the start depth [mm].
     engagement_limit, engagement_max, engagement_p99, engagement_mean : float

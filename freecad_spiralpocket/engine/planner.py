@@ -21,7 +21,7 @@ from shapely.geometry.polygon import orient
 
 from .checks import check_request
 from .dependencies import require_libraries
-from .engagement import Engagement, along_path
+from .engagement import Engagement, engagement_of
 from .errors import AlreadyClearedError, CancelledError, ProofError, SpiralPocketError
 from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
@@ -45,7 +45,6 @@ from .repair import Proved, badness, repaired
 from .rooms import Room, rooms_of
 from .sizes import planned_resized
 from .stations import ends_of, moves_at, stations_of
-from .timing import time_of
 from .toolpath import Toolpath
 from .verify import prove
 
@@ -104,10 +103,9 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     toolpath, report = proved.toolpath, proved.report
     _refuse_bad(proved, request)
     _tell(progress, 1.0, "Done")
-    seconds = time_of(toolpath, machine_of(request)).total
     changed = _change_notices(proved.cuts, other, request)
     told = (*notices, *uncut, *changed, *_start_notices(toolpath, request), *report.notices)
-    report = replace(report, time=seconds, notices=told)
+    report = replace(report, notices=told)
     return Plan(asked, toolpath, report, _curves(proved.cuts, request))
 
 
@@ -253,13 +251,7 @@ def _refuse_bad(proved: Proved, request: PocketRequest) -> None:
 def _with_feeds(toolpath: Toolpath, request: PocketRequest) -> tuple[Toolpath, Engagement]:
     """Return the toolpath with its feeds planned, and the engagement along it."""
     wanted = request.feed_plan
-    engagement = along_path(
-        toolpath,
-        request.cutter_radius,
-        axial_depth=request.axial_depth,
-        top=request.heights.start_depth,
-        stock=request.stock,
-    )
+    engagement = engagement_of(toolpath, request)
     rules = FeedRules(
         mode=wanted.mode,
         cutter_radius=request.cutter_radius,

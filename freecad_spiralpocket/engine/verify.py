@@ -17,14 +17,16 @@ from shapely import MultiPolygon, Polygon
 from . import findings
 from .collisions import Hit, hits_along, plunges
 from .coverage import reachable_floor, uncut_floor
-from .engagement import Engagement, along_path
+from .engagement import Engagement, engagement_of
 from .gouge import gouge_depth
 from .levels import Level, levels_of
 from .loads import measure_load
+from .machine import machine_of
 from .model import PocketRequest, Report
 from .region import polygons_of
 from .steps import largest_step
 from .swept import SAME_HEIGHT, Pieces, cut_into_pieces
+from .timing import time_of
 from .toolpath import Kind, Role, Toolpath
 
 #: Narrower steps on slanted walls are not told [mm].
@@ -54,9 +56,7 @@ def prove(
     r, top, bottom = request.cutter_radius, request.heights.start_depth, request.floor
     pieces = cut_into_pieces(toolpath, r, top, request.axial_depth)
     if engagement is None:
-        engagement = along_path(
-            toolpath, r, axial_depth=request.axial_depth, top=top, stock=request.stock
-        )
+        engagement = engagement_of(toolpath, request)
     load = measure_load(request, toolpath, engagement, pieces)
     levels = levels_of(request)
     uncut = _uncut(request, levels, pieces)
@@ -70,7 +70,7 @@ def prove(
     rapid, link = _hits(request, toolpath, engagement, pieces)
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
     return Report(
-        time=float(np.sum(toolpath.lengths / toolpath.feeds)),
+        time=time_of(toolpath, machine_of(request)).total,
         cut_length=_cut_length(toolpath, top),
         engagement_limit=request.engagement_limit,
         engagement_max=load.largest,

@@ -2,6 +2,7 @@
 """The proof: closed forms of gouge and uncut area, what it finds, and what it says."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,8 +15,10 @@ from shapes import FEEDS
 
 from freecad_spiralpocket.engine.coverage import uncut_floor
 from freecad_spiralpocket.engine.gouge import gouge_depth
+from freecad_spiralpocket.engine.machine import MIDDLING, Machine
 from freecad_spiralpocket.engine.model import Cutting, Heights, PocketRequest, Report
 from freecad_spiralpocket.engine.swept import cut_into_pieces
+from freecad_spiralpocket.engine.timing import time_of
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
 from freecad_spiralpocket.engine.verify import prove
 
@@ -235,11 +238,18 @@ def test_clean_path_has_nothing_to_say():
     assert (report.rapid_hit, report.link_hit, report.over_limit_share) == (0.0, 0.0, 0.0)
 
 
-def test_time_and_length_are_sums():
+def test_length_is_that_of_the_cuts():
     path = clears_square()
-    report = proved(path)
-    assert report.time == pytest.approx(np.sum(path.lengths / path.feeds))
-    assert report.cut_length == pytest.approx(path.lengths[1:].sum())
+    assert proved(path).cut_length == pytest.approx(path.lengths[1:].sum())
+
+
+def test_time_is_that_of_the_machine():
+    path = clears_square()
+    at_feed = np.sum(path.lengths / path.feeds)
+    agile = Machine("Agile", speed=(1e4,) * 3, acceleration=(1e9,) * 3)
+    on_it = prove(replace(request(SQUARE), machine=agile), path)
+    assert on_it.time == pytest.approx(at_feed, rel=2e-3)  # it rounds corners a little
+    assert proved(path).time == time_of(path, MIDDLING).total > at_feed
 
 
 def test_engagement_over_the_limit_is_told_in_degrees():
