@@ -88,7 +88,8 @@ def spiral_of(moves: int) -> tuple[PocketRequest, Toolpath]:
     builder = ToolpathBuilder((0, 0, 0))
     builder.line((0, 0, -5), 12.5, Role.ENTRY)
     points = np.column_stack([radii * np.cos(angles), radii * np.sin(angles)])
-    builder.polyline(points, -5.0, 50.0, Role.CUT)
+    for x, y in points:
+        builder.line((x, y, -5.0), 50.0, Role.CUT)
     pocket = Point(0, 0).buffer(radii[-1] + tool / 2 + 0.1, quad_segs=64)
     return request_for(pocket, tool, step, 5.0, 3000.0), builder.build()
 
