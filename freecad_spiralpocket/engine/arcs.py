@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .model import Floats
+from .polyline import distances_along
 
 #: Arcs wider than this are lines [mm].
 WIDEST = 2000.0
@@ -55,7 +56,7 @@ def fit_arcs(points: Floats, tolerance: float, begins: NDArray[np.intp] | None =
     begins : ndarray of int, optional
         The first point of each polyline, ascending; without it there is only one.
     """
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    along = distances_along(points)
     bounds = np.arange(len(points))
     is_first = np.zeros(len(points), bool)
     is_first[0 if begins is None else begins] = True

@@ -23,7 +23,7 @@ from scipy.ndimage import gaussian_filter1d
 from shapely import LineString, Point, Polygon
 
 from .model import Floats
-from .polyline import points_at
+from .polyline import distances_along, points_at
 from .region import polygons_of
 from .skeleton import Skeleton, longest_route
 
@@ -159,7 +159,7 @@ def _parts(n: int, edges: NDArray[np.intp], steps: Floats) -> tuple[NDArray[np.i
 
 def _without_loop(axis: Skeleton, nodes: NDArray[np.intp], distance: float) -> NDArray[np.intp]:
     """Return the beginning of a path that is no ring round an island, so wide on both sides."""
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(axis.nodes[nodes], axis=0).T))])
+    along = distances_along(axis.nodes[nodes])
     length = along[-1]
     while len(nodes) > 1:
         shape = shapely.buffer(LineString(axis.nodes[nodes]), distance, quad_segs=4)

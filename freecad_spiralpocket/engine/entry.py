@@ -17,13 +17,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from shapely import LineString, Point, Polygon
+from shapely import Point, Polygon
 
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Plunge, Slot, WayDown
 from .groove import groove_path
 from .model import Entry, Feeds, Floats, PocketRequest
-from .polyline import points_at
+from .polyline import closed_line, distances_along, points_at
 from .toolpath import Role, ToolpathBuilder
 
 #: Radius of the cutter center's circle over R at most: nearly R, and surely no post left.
@@ -82,7 +82,7 @@ def entry_start(entry: WayDown, angle: float, top: float, bottom: float) -> Floa
         return groove_path(entry, angle, top, bottom)[0, :2]
     if isinstance(entry, Plunge):
         return entry.place
-    ring = _closed(entry.ring)
+    ring = closed_line(entry.ring)
     ramp = slot_ramp(entry, angle, top - bottom)
     return np.array(ring.interpolate(-ramp % ring.length).coords[0])
 
@@ -98,7 +98,7 @@ def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> 
     request : PocketRequest
         For the depth of its first level, nearly, and the ramp's angle.
     """
-    ring = _closed(slot.ring)
+    ring = closed_line(slot.ring)
     ramp = slot_ramp(slot, request.entry.helix_angle, request.axial_depth)
     return float((ring.project(Point(asked)) + ramp) % ring.length)
 
@@ -164,17 +164,13 @@ def _cut_helix(
     turn(helix.start_angle + 2 * math.pi, bottom, feeds.horizontal)
 
 
-def _closed(ring: Floats) -> LineString:
-    return LineString(np.vstack([ring, ring[:1]]))
-
-
 def slot_levels(slot: Slot, angle: float, depth: float) -> int:
     """Return in how many levels a slot of some depth is cut.
 
     No ramp is longer than once round it: about a short one there are more levels than its bite asks
     for, until all of it is ramp.
     """
-    bite = min(slot.bite, _closed(slot.ring).length * math.tan(angle))
+    bite = min(slot.bite, closed_line(slot.ring).length * math.tan(angle))
     return max(1, math.ceil(depth / bite - 1e-9))
 
 
@@ -188,11 +184,11 @@ def _cut_slot(
     slack: float,
 ) -> None:
     """Add the loops of a slot: each begins with a ramp, the last one runs over its ramp again."""
-    ring = _closed(slot.ring)
+    ring = closed_line(slot.ring)
     levels = slot_levels(slot, angle, top - bottom)
     bite = (top - bottom) / levels
     ramp = bite / math.tan(angle)
-    corners = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(ring.coords, axis=0).T))])
+    corners = distances_along(ring.coords)
     end = levels * ring.length
     turns = np.arange(-math.ceil(ramp / ring.length), levels + 1)
     stops = (corners[None, :] + ring.length * turns[:, None]).ravel()

@@ -18,6 +18,7 @@ from shapely import LineString
 
 from .floor import Groove
 from .model import Floats
+from .polyline import closed_line, distances_along
 from .spiral import between
 
 #: Chords of half a turn.
@@ -52,7 +53,7 @@ def groove_path(groove: Groove, angle: float, top: float, bottom: float) -> Floa
     """
     count = groove_levels(groove, top, bottom)
     bite = (top - bottom) / count
-    ring = LineString(np.vstack([groove.ring, groove.ring[:1]]))
+    ring = closed_line(groove.ring)
     tips = [0.0, *groove.tips, ring.length]
     feet = groove.feet  # behind each tip but the first and the last
     rooms = rooms_of(groove, ring.length)
@@ -116,7 +117,7 @@ def _ramp(
 
 def _sloped(points: Floats, start: float, end: float) -> Floats:
     """Return points with their heights, even from `start` to `end`."""
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    along = distances_along(points)
     return np.column_stack([points, start + (end - start) * along / along[-1]])
 
 

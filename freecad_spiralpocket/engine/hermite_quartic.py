@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from .model import Floats
+from .polyline import distances_along
 
 DEGREE = 4
 #: Fewest patches of a closed curve, and most.
@@ -115,8 +116,7 @@ class ClosedFit:
 
     def __init__(self, points: Floats) -> None:
         self._closed = np.vstack([points, points[:1]])
-        steps = np.hypot(*np.diff(self._closed, axis=0).T)
-        self._along = np.concatenate([[0.0], np.cumsum(steps)])
+        self._along = distances_along(self._closed)
         self._effort = _effort(self._closed, self._along)
         self._tried: dict[int, ClosedQuartic] = {}
 

@@ -8,7 +8,7 @@ import shapely
 from shapely import LineString, Polygon
 
 from .model import Floats
-from .polyline import points_at
+from .polyline import distances_along, points_at
 from .shaping import buffer
 
 
@@ -32,7 +32,7 @@ def bends(ring: LineString, at: Floats, window: float) -> Floats:
     """Return by how much a closed ring bends over the next `window` [mm] from places [rad]."""
     coords = shapely.get_coordinates(ring)
     heading = np.unwrap(np.arctan2(*np.diff(coords, axis=0).T[::-1]))
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
+    along = distances_along(coords)
     # a closed ring turns once, one way or the other
     turn = 2 * np.pi if shapely.is_ccw(ring) else -2 * np.pi
 

@@ -13,6 +13,7 @@ from shapely import LineString, Polygon
 from shapely.ops import substring
 
 from .model import Floats
+from .polyline import distances_along
 
 #: Radius of the arc that leaves the wall, over R; halved until it fits.
 LEAVE_RADIUS = 0.3
@@ -81,7 +82,7 @@ def come_to_wall(lap: Floats, here: Floats, region: Polygon, cutter_radius: floa
         first = shapely.get_coordinates(
             shapely.segmentize(substring(line, 0.0, length), length / COME_CHORDS)
         )
-        along = np.r_[0.0, np.cumsum(np.hypot(*np.diff(first, axis=0).T))] / length
+        along = distances_along(first) / length
         off = 1 - along * along * (3 - 2 * along)
         way = first + off[:, None] * aside
         if fence.covers(LineString(way)):

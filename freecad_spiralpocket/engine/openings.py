@@ -20,7 +20,7 @@ from .entry import fit_helix_radius, slot_end
 from .floor import Helix, Slot
 from .joints import Joint, joined
 from .model import PocketRequest
-from .polyline import ring_from
+from .polyline import closed_line, ring_from
 from .shaping import buffer, oriented
 from .skeleton import Skeleton
 from .starts import HALF_WIDTHS, Start, slot_round
@@ -125,6 +125,6 @@ def _open_point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Open
     if request.start_point is not None:
         points = ring_from(points, np.array(request.start_point))[:-1]
     angle = float(np.arctan2(*(points[0] - place)[::-1]))
-    ring = LineString(np.vstack([points, points[:1]]))
+    ring = closed_line(points)
     start = Start("point", circle, region, Helix(place, radius, angle), ring)
     return Opening(start, (center,), radius)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Vectorised polyline maths: where a ring begins, even samples, simplification."""
+"""Vectorised polyline maths: distances, where a ring begins, even samples, simplification."""
 
 from __future__ import annotations
 
@@ -10,10 +10,20 @@ from shapely import LineString, Point
 from .model import Floats
 
 
+def closed_line(points: Floats) -> LineString:
+    """Return the line through points, shape (n, 2), and back to the first of them [mm]."""
+    return LineString(np.vstack([points, points[:1]]))
+
+
+def distances_along(points: Floats) -> Floats:
+    """Return how far along a polyline each of its points is, shape (n,) [mm]."""
+    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+
+
 def points_at(line: LineString, at: Floats) -> Floats:
     """Return the points at distances along a line, shape (..., 2) [mm]; O(log n) for each."""
     coords = shapely.get_coordinates(line)
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
+    along = distances_along(coords)
     return np.stack([np.interp(at, along, coords[:, i]) for i in (0, 1)], axis=-1)
 
 
@@ -79,7 +89,7 @@ def ring_from(ring: Floats, place: Floats, toward: tuple[float, float] | None = 
     ndarray of shape (m, 2)
         First and last point are the same.
     """
-    line = LineString(np.vstack([ring, ring[:1]]))
+    line = closed_line(ring)
     if toward is not None:
         far = place + np.array(toward) * (line.length + float(np.ptp(ring)))
         met = shapely.intersection(line, LineString([place, far]))
@@ -87,7 +97,7 @@ def ring_from(ring: Floats, place: Floats, toward: tuple[float, float] | None = 
             place = np.array(shapely.shortest_line(met, Point(place)).coords[0])
     at = line.project(Point(place))
     coords = np.array(line.coords)
-    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(coords, axis=0), axis=1))])
+    along = distances_along(coords)
     start = np.array(line.interpolate(at).coords[0])
     after = coords[:-1][along[:-1] > at + 1e-9]
     before = coords[:-1][along[:-1] < at - 1e-9]

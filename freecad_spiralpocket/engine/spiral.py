@@ -18,7 +18,7 @@ from shapely import LineString, Polygon
 from .filters import evened
 from .model import Floats
 from .nearest import nearest
-from .polyline import locate, points_at
+from .polyline import distances_along, locate, points_at
 from .shaping import Region
 from .strokes import CHORD, Stroke
 
@@ -48,11 +48,6 @@ FURTHER = 0.1
 EASE = 0.2
 
 
-def closed_line(points: Floats) -> LineString:
-    """Return a closed lap as a line whose last point is its first."""
-    return LineString(np.vstack([points, points[:1]]))
-
-
 def eased(u: Floats) -> Floats:
     """Return a rise from 0 to 1 whose slope builds up and dies away evenly, flat between."""
     top = 1 / (1 - EASE)
@@ -64,7 +59,7 @@ def eased(u: Floats) -> Floats:
 def between(line: LineString, start: float, length: float) -> Floats:
     """Return the points of a closed line from `start` on over `length` [mm], ends included."""
     coords = shapely.get_coordinates(line)
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
+    along = distances_along(coords)
     total = float(along[-1])
     turns = np.arange(-1, int(np.ceil(length / total)) + 2)
     s = (along[:-1][None, :] + total * turns[:, None]).ravel()
@@ -242,7 +237,7 @@ def without_air(points: Floats, stock: Region, reach: float) -> Floats | None:
     rest = LineString(points[first:])
     if shapely.difference(stock, shapely.buffer(rest, reach, quad_segs=32)).area >= CRUMB:
         return None
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    along = distances_along(points)
     while True:
         way = LineString(points[first : needed + 1])
         stock = shapely.difference(stock, shapely.buffer(way, reach, quad_segs=32))

@@ -32,7 +32,7 @@ from .groove import rooms_of
 from .leaving import bends, straightest
 from .model import Floats, PocketRequest
 from .outline import outline_of
-from .polyline import located, points_at
+from .polyline import closed_line, located, points_at
 from .shaping import buffer, largest, oriented
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
@@ -203,7 +203,7 @@ def _point(region: Polygon, center: Floats, request: PocketRequest) -> Start:
     radius = fit_helix_radius(region, center, request.cutter_radius, request.entry)
     angles = np.linspace(0, 2 * np.pi, 97)[:-1]
     circle = center + radius * np.column_stack([np.cos(angles), np.sin(angles)])
-    ring = LineString(np.vstack([circle, circle[:1]]))
+    ring = closed_line(circle)
     return Start("point", oriented(Polygon(circle)), region, Helix(center, radius), ring)
 
 
@@ -282,7 +282,7 @@ def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketReques
     roomy = np.flatnonzero(room > ROOMY * room.max())
     first = int(roomy[np.argmin(np.hypot(*tips[roomy].T))])
     points = between(rim, rim.project(Point(tips[first])), rim.length)[:-1]
-    ring = LineString(np.vstack([points, points[:1]]))
+    ring = closed_line(points)
     others = sorted(ring.project(Point(t)) for t in np.delete(tips, first, axis=0))
     feet, trunk = feet_between(ring, others, axis, edges)
     groove = Groove(points, tuple(others), tuple(feet), trunk, slot_bite(request))
@@ -312,7 +312,7 @@ def _slot_start(name: str, visited: Polygon, omega: Polygon, request: PocketRequ
     ring = LineString(shapely.get_coordinates(shapely.simplify(visited.exterior, 0.002)))
     leave = straightest(ring, BLEND * request.cutter_radius, request.cutter_radius)
     points = between(ring, leave, ring.length)[:-1]
-    closed = LineString(np.vstack([points, points[:1]]))
+    closed = closed_line(points)
     return Start(name, visited, omega, Slot(points, slot_bite(request)), closed)
 
 
@@ -342,7 +342,7 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
         return None
     leave = float(leaves[np.argmin(away)])
     points = between(outline.ring, leave, outline.ring.length)[:-1]
-    ring = LineString(np.vstack([points, points[:1]]))
+    ring = closed_line(points)
     # the wall is cut climb; the plug lies on the other side, so that its laps go the other way
     there = np.vstack([points[:1], points[:0:-1]])
     slot = replace(slot, ring=there)

@@ -12,11 +12,10 @@ import shapely
 from shapely import LineString, Polygon
 
 from .model import Floats
-from .polyline import points_at
+from .polyline import closed_line, points_at
 from .shaping import Region, buffer
 from .spiral import (
     chains_of,
-    closed_line,
     ends_of,
     gaps,
     onward,

@@ -19,6 +19,7 @@ from scipy.spatial import cKDTree
 from shapely import LineString
 
 from .model import Floats
+from .polyline import distances_along
 
 #: Share of a turn over which the rise of s builds up, and dies away.
 EASE = 0.1
@@ -49,8 +50,7 @@ class Ring:
     @classmethod
     def of(cls, points: Floats) -> Ring:
         """Return the ring through `points`, shape (n, 2), whose last is the first again."""
-        steps = np.hypot(*np.diff(points, axis=0).T)
-        return cls(points, np.concatenate([[0.0], np.cumsum(steps)]))
+        return cls(points, distances_along(points))
 
     @property
     def length(self) -> float:

@@ -15,8 +15,9 @@ from freecad_spiralpocket.engine import open_sides, plan
 from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
 from freecad_spiralpocket.engine.model import Cutting, Strategy
 from freecad_spiralpocket.engine.outline import outline_of
+from freecad_spiralpocket.engine.polyline import closed_line
 from freecad_spiralpocket.engine.shaping import thick_parts, without_whiskers
-from freecad_spiralpocket.engine.spiral import closed_line, ends_of, spiral_through, without_air
+from freecad_spiralpocket.engine.spiral import ends_of, spiral_through, without_air
 from freecad_spiralpocket.engine.strokes import strokes_between
 from freecad_spiralpocket.engine.toolpath import Role
 

@@ -40,7 +40,7 @@ from ..model import Floats, PocketRequest, Tick
 from ..openings import Opening, open_centers
 from ..ordering import SLACK, Situation, Step, order
 from ..passes import passes_of
-from ..polyline import points_at
+from ..polyline import distances_along, points_at
 from ..routing import LongWays
 from ..shaping import largest, oriented
 from ..skeleton import Skeleton, medial_axis
@@ -208,7 +208,7 @@ def _linked(
 
 def _from(here: Floats, points: Floats) -> Floats:
     """Return a path that begins `here`, a hair beside its start, and comes back to itself."""
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    along = distances_along(points)
     return points + np.maximum(0.0, 1 - along / MERGES)[:, None] * (here - points[0])
 
 

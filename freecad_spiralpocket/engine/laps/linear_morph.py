@@ -26,14 +26,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
-from shapely import LineString, Polygon
+from shapely import Polygon
 
 from ..entry import slot_end
 from ..errors import NotYetError
 from ..floor import FloorPath, Helix, Slot
 from ..inner_curves import Spine, axis_spines, is_compact, point_spine
 from ..model import Floats, PocketRequest, Tick
-from ..polyline import ring_from
+from ..polyline import closed_line, ring_from
 from ..region import grow, polygons_of
 from ..splines import (
     join_c2,
@@ -103,7 +103,7 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     entry = _entry(morph, request)
     if request.start_point is not None and isinstance(entry, Slot):
         # the spiral begins where the slot must end
-        ring = LineString(np.vstack([entry.ring, entry.ring[:1]]))
+        ring = closed_line(entry.ring)
         end = ring.interpolate(slot_end(entry, request.start_point, request))
         morph = morph_of(region, replace(request, start_point=(end.x, end.y)))
     tick(0.5)
