@@ -12,7 +12,7 @@ import shapely
 from numpy.typing import NDArray
 
 from .model import Floats
-from .shaping import Region
+from .shaping import Region, edges_of
 
 #: Centers that are compared with all edges at once.
 PORTION = 20_000
@@ -40,7 +40,7 @@ def intervals_in_air(
     low, high : ndarray of shape (m,)
         From the heading [rad].
     """
-    starts, ends = _edges(stock)
+    starts, ends = edges_of(stock)
     tree = shapely.STRtree(shapely.linestrings(np.stack([starts, ends], axis=1)))
     shapely.prepare(stock)
     found = []
@@ -67,14 +67,6 @@ def intervals_in_air(
         return np.zeros(0, np.int64), np.zeros(0), np.zeros(0)
     rims, low, high = (np.concatenate(parts) for parts in zip(*found, strict=True))
     return rims, low, high
-
-
-def _edges(stock: Region) -> tuple[Floats, Floats]:
-    """Return where the edges of a region begin and end, shape (n, 2) each [mm]."""
-    rings = [ring for p in shapely.get_parts(stock) for ring in (p.exterior, *p.interiors)]
-    points, ring = shapely.get_coordinates(rings, return_index=True)
-    proper = (ring[1:] == ring[:-1]) & (points[1:] != points[:-1]).any(axis=1)
-    return points[:-1][proper], points[1:][proper]
 
 
 def _crossings(

@@ -14,6 +14,7 @@ from shapely import Polygon
 
 from .distances import arc_to_segment, segment_to_segment
 from .model import Floats
+from .shaping import edges_of
 from .swept import Pieces
 
 #: A piece that crosses the wall is looked at in this many places, then closer around the worst.
@@ -71,7 +72,7 @@ def _deepest(pocket: Polygon, pieces: Pieces, i: int) -> tuple[float, tuple[floa
 
 def wall_distances(pocket: Polygon, pieces: Pieces, limit: float) -> Floats:
     """Return the distance of each piece to the outline, shape (n,) [mm]; `limit` where farther."""
-    a, b = _edges(pocket)
+    a, b = edges_of(pocket)
     box = pieces.bounds
     tree = shapely.STRtree(shapely.box(*np.minimum(a, b).T, *np.maximum(a, b).T))
     grown = shapely.box(*(box[:, :2] - limit).T, *(box[:, 2:] + limit).T)
@@ -84,10 +85,3 @@ def wall_distances(pocket: Polygon, pieces: Pieces, limit: float) -> Floats:
     distance = np.full(len(pieces), limit)
     np.minimum.at(distance, piece, found)
     return distance
-
-
-def _edges(pocket: Polygon) -> tuple[Floats, Floats]:
-    rings = [shapely.get_coordinates(r) for r in (pocket.exterior, *pocket.interiors)]
-    a = np.concatenate([r[:-1] for r in rings])
-    b = np.concatenate([r[1:] for r in rings])
-    return a, b

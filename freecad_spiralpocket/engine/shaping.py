@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Growing, shrinking and joining regions, within a few thousandths of a millimeter."""
+"""Growing, shrinking and joining regions, within a few thousandths of a millimeter; edges."""
 
 from __future__ import annotations
 
@@ -101,6 +101,14 @@ def without_whiskers(shape: Polygon) -> Polygon:
             mitred = partial(shapely.buffer, join_style="mitre")
             return largest(mitred(mitred(shape, -HAIRLINE), HAIRLINE))
     return shape
+
+
+def edges_of(shape: Region) -> tuple[Floats, Floats]:
+    """Return where the edges of a region begin and end, shape (n, 2) each [mm]."""
+    rings = [ring for p in shapely.get_parts(shape) for ring in (p.exterior, *p.interiors)]
+    points, ring = shapely.get_coordinates(rings, return_index=True)
+    proper = (ring[1:] == ring[:-1]) & (points[1:] != points[:-1]).any(axis=1)
+    return points[:-1][proper], points[1:][proper]
 
 
 def oriented(shape: Polygon) -> Polygon:

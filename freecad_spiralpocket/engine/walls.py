@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from .model import Floats
+from .shaping import edges_of
 
 
 def are_near_walls(region: Polygon, points: Floats, distance: float) -> NDArray[np.bool_]:
@@ -19,17 +20,12 @@ def are_near_walls(region: Polygon, points: Floats, distance: float) -> NDArray[
     Meant for distances that are short against the chords of the boundary.
     """
     near = np.zeros(len(points), bool)
-    hits = _edges(region).query(shapely.points(points), predicate="dwithin", distance=distance)
+    hits = _tree(region).query(shapely.points(points), predicate="dwithin", distance=distance)
     near[hits[0]] = True
     return near
 
 
 @lru_cache(maxsize=4)
-def _edges(region: Polygon) -> shapely.STRtree:
+def _tree(region: Polygon) -> shapely.STRtree:
     """Return a tree of the edges of a region."""
-    rings = [region.exterior, *region.interiors]
-    coords, ring = shapely.get_coordinates(rings, return_index=True)
-    same = ring[1:] == ring[:-1]
-    return shapely.STRtree(
-        shapely.linestrings(np.stack([coords[:-1][same], coords[1:][same]], axis=1))
-    )
+    return shapely.STRtree(shapely.linestrings(np.stack(edges_of(region), axis=1)))
