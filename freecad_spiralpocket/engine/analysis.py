@@ -9,9 +9,12 @@ from its start; forces are in `force`, engagement in `engagement`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from .model import Floats
+from .polyline import three_point_curvature
 from .stations import Measured, ends_of, stations_of
 from .timing import MachineTime
 from .toolpath import Kind, Toolpath
@@ -88,20 +91,10 @@ def absolute_curvature(toolpath: Toolpath) -> tuple[Floats, Floats]:
         toolpath.starts[first, :2], toolpath.points[first, :2], toolpath.points[first + 1, :2]
     )
     shares = (lengths[first] + lengths[first + 1]) / 2
-    return np.r_[1 / radii, curvature], np.r_[lengths[arcs], shares]
+    return np.r_[1 / radii, np.abs(curvature)], np.r_[lengths[arcs], shares]
 
 
-def three_point_curvature(a: Floats, b: Floats, c: Floats) -> Floats:
-    """Return the curvature of the circles through three points each, (k, 2) [mm], [1/mm]."""
-    ab, bc, ac = b - a, c - b, c - a
-    doubled = np.abs(ab[:, 0] * bc[:, 1] - ab[:, 1] * bc[:, 0])
-    sides = np.hypot(*ab.T) * np.hypot(*bc.T) * np.hypot(*ac.T)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        curvature = 2 * doubled / sides
-    return np.where(sides > 0, curvature, np.inf)
-
-
-def weighted_quantiles(values: Floats, weights: Floats, shares: Floats) -> Floats:
+def weighted_quantiles(values: Floats, weights: Floats, shares: Floats | Sequence[float]) -> Floats:
     """Return the smallest values below which `shares` of the weight lie, one for each share.
 
     ``weighted_quantiles(*absolute_curvature(path), [0.95, 0.99])`` are Cut95 and Cut99.

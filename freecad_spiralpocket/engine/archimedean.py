@@ -22,7 +22,7 @@ from shapely import LineString, Polygon
 
 from .coverable import Center
 from .model import Floats
-from .polyline import points_at
+from .polyline import points_at, three_point_curvature
 from .shaping import buffer, oriented
 from .strokes import CHORD
 
@@ -146,8 +146,5 @@ def bend_at(ring: LineString, at: float, radius: float) -> tuple[Floats, float, 
     window = WINDOW * radius
     s = (at + window * np.array([-1.0, 0.0, 1.0])) % ring.length
     a, b, c = points_at(ring, s)
-    u, v = b - a, c - b
     chord = c - a
-    double_area = u[0] * v[1] - u[1] * v[0]
-    curvature = 2 * double_area / (np.hypot(*u) * np.hypot(*v) * np.hypot(*chord))
-    return b, float(np.arctan2(chord[1], chord[0])), float(curvature)
+    return b, float(np.arctan2(chord[1], chord[0])), float(three_point_curvature(a, b, c))

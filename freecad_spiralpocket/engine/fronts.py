@@ -26,7 +26,7 @@ from .closings import without_kinks
 from .filters import evened, highest
 from .front_rules import NEW, FrontRules, engagement_step
 from .model import Floats
-from .polyline import points_at, simplified
+from .polyline import ring_samples, simplified
 from .region import polygons_of
 from .shaping import (
     SLIVER,
@@ -58,12 +58,6 @@ def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
         if len(free):
             return welded([opened, *free])
     return opened
-
-
-def ring_samples(ring: shapely.LinearRing, spacing: float) -> Floats:
-    """Return evenly spaced points of a ring, shape (n, 2) [mm]."""
-    count = max(16, int(np.ceil(ring.length / spacing)))
-    return points_at(ring, np.arange(count) * ring.length / count)
 
 
 def _stepped_ring(

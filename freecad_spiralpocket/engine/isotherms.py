@@ -24,6 +24,7 @@ from .hermite_quartic import ClosedFit
 from .model import Floats, PocketRequest
 from .nested import SPACING, Mover
 from .poisson import HeatField, solve
+from .polyline import signed_area
 from .region import grow, polygons_of
 from .shaping import oriented
 
@@ -199,7 +200,7 @@ def isotherms(family: Family, room: Room, level: float) -> list[Polygon]:
     shells: list[Floats] = []
     holes: list[Floats] = []
     for points in lines_at(family, room, level):
-        (shells if _signed_area(points) > 0 else holes).append(points)
+        (shells if signed_area(points) > 0 else holes).append(points)
     if not holes:
         return [Polygon(shell) for shell in shells]
     outlines = [Polygon(shell) for shell in shells]
@@ -210,11 +211,6 @@ def isotherms(family: Family, room: Room, level: float) -> list[Polygon]:
         if about:
             inner[min(about, key=lambda i: outlines[i].area)].append(hole)
     return [Polygon(shell, rings) for shell, rings in zip(shells, inner, strict=True)]
-
-
-def _signed_area(points: Floats) -> float:
-    x, y = points[:, 0], points[:, 1]
-    return float((x[:-1] * y[1:] - x[1:] * y[:-1]).sum()) / 2
 
 
 def rooms_at(family: Family, room: Room, level: float) -> list[Room]:

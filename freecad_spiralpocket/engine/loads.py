@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .analysis import weighted_quantiles
 from .engagement import Engagement
 from .findings import over_limit
 from .model import Floats, PocketRequest
@@ -139,9 +140,6 @@ def _is_entry(
 
 def _p99(values: Floats, lengths: Floats, chosen: NDArray[np.bool_]) -> float:
     """Return what the values do not pass over 99 % of the length; 0 for none."""
-    index = np.flatnonzero(chosen)
-    share = lengths[index].sum()
-    if share <= 0:
+    if lengths[chosen].sum() <= 0:
         return 0.0
-    index = index[np.argsort(values[index], kind="stable")]
-    return float(values[index[np.searchsorted(np.cumsum(lengths[index]), 0.99 * share)]])
+    return float(weighted_quantiles(values[chosen], lengths[chosen], [0.99])[0])

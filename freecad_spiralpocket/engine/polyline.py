@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Vectorised polyline maths: distances, where a ring begins, even samples, simplification."""
+"""Vectorised polyline maths: distances, bends, even samples, simplification."""
 
 from __future__ import annotations
 
@@ -25,6 +25,39 @@ def points_at(line: LineString, at: Floats) -> Floats:
     coords = shapely.get_coordinates(line)
     along = distances_along(coords)
     return np.stack([np.interp(at, along, coords[:, i]) for i in (0, 1)], axis=-1)
+
+
+def ring_samples(ring: shapely.LinearRing, spacing: float, fewest: int = 16) -> Floats:
+    """Return evenly spaced points of a ring, shape (n, 2) [mm]."""
+    count = max(fewest, int(np.ceil(ring.length / spacing)))
+    return points_at(ring, np.arange(count) * ring.length / count)
+
+
+def signed_area(ring: Floats) -> float:
+    """Return the area of a ring, shape (n, 2) [mm2], negative if it is clockwise."""
+    x, y = ring.T
+    return float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
+
+
+def three_point_curvature(a: Floats, b: Floats, c: Floats) -> Floats:
+    """Return the curvature of the circles through three points each.
+
+    Parameters
+    ----------
+    a, b, c : ndarray of shape (..., 2)
+        In the order of travel [mm].
+
+    Returns
+    -------
+    ndarray of shape (...,)
+        Positive to the left [1/mm]; infinite where two of the points are the same.
+    """
+    ab, bc, ac = b - a, c - b, c - a
+    doubled = ab[..., 0] * bc[..., 1] - ab[..., 1] * bc[..., 0]
+    sides = np.prod([np.hypot(v[..., 0], v[..., 1]) for v in (ab, bc, ac)], axis=0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        curvature = 2 * doubled / sides
+    return np.where(sides > 0, curvature, np.inf)
 
 
 def located(line: LineString, points: Floats) -> Floats:

@@ -18,6 +18,7 @@ from .cleared import ClearedMap
 from .filters import dilated
 from .ground import COARSE, Ground
 from .model import Floats
+from .polyline import three_point_curvature
 from .spiral import between
 
 #: Longest chord of a link that is tried, and of one that is taken [mm].
@@ -222,10 +223,8 @@ def tightest_bend(points: Floats) -> Floats:
         [mm]
     """
     a, b, c = points[..., :-2, :], points[..., 1:-1, :], points[..., 2:, :]
-    ab, bc, ac = b - a, c - b, c - a
-    area = np.abs(ab[..., 0] * bc[..., 1] - ab[..., 1] * bc[..., 0])
-    sides = np.prod([np.hypot(v[..., 0], v[..., 1]) for v in (ab, bc, ac)], axis=0)
-    return np.asarray((sides / (2 * area + 1e-12)).min(axis=-1))
+    with np.errstate(divide="ignore"):
+        return np.asarray(1 / np.abs(three_point_curvature(a, b, c)).max(axis=-1))
 
 
 def clamped_spline(controls: Floats, count: int) -> Floats:

@@ -12,7 +12,6 @@ compact region, a path for a long one, a tree for a branched one.
 from __future__ import annotations
 
 import heapq
-import math
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TypeAlias
@@ -25,13 +24,15 @@ from shapely import Polygon
 from .graphs import delaunay_triangles, shortest_paths
 from .model import Floats
 from .nearest import nearest
-from .polyline import points_at
+from .polyline import ring_samples
 
 #: Pairs of node indices.
 Edges: TypeAlias = list[tuple[int, int]]
 
 #: Boundary samples are this far apart at least and at most [mm], and about this many.
 SAMPLE_MIN, SAMPLE_MAX, SAMPLES = 0.3, 2.0, 700
+#: Each ring has so many at least.
+FEWEST = 12
 #: Corners of Voronoi cells closer than this are one [mm].
 SAME_CORNER = 1e-6
 #: A Voronoi edge belongs to the axis if the two samples that it parts are farther apart, along the
@@ -66,7 +67,7 @@ def medial_axis(region: Polygon) -> Skeleton:
     O(n log n) in the number of boundary samples.
     """
     spacing = float(np.clip(region.length / SAMPLES, SAMPLE_MIN, SAMPLE_MAX))
-    rings = [_ring_samples(r, spacing) for r in (region.exterior, *region.interiors)]
+    rings = [ring_samples(r, spacing, FEWEST) for r in (region.exterior, *region.interiors)]
     samples = np.vstack(rings)
     vertices, ridges, pairs = _voronoi(samples)
     inside = shapely.contains_xy(region, vertices[:, 0], vertices[:, 1])
@@ -117,12 +118,6 @@ def _voronoi(samples: Floats) -> tuple[Floats, NDArray[np.intp], NDArray[np.intp
     edges = corner.ravel()[edges]
     real = edges[:, 0] != edges[:, 1]
     return centers[first], edges[real], pairs[real]
-
-
-def _ring_samples(ring: shapely.LinearRing, spacing: float) -> Floats:
-    count = max(12, math.ceil(ring.length / spacing))
-    at = np.arange(count) * ring.length / count
-    return points_at(ring, at)
 
 
 def _boundary_distances(rings: list[Floats], pairs: NDArray[np.intp]) -> Floats:

@@ -19,6 +19,7 @@ import shapely
 from shapely import Polygon
 
 from ..engine.errors import GeometryError
+from ..engine.polyline import signed_area
 from ..engine.region import polygons_of
 from . import geometry
 from .selection import SAME_HEIGHT
@@ -138,12 +139,6 @@ def polygons_in(ring: np.ndarray) -> list[Polygon]:
     if len(ring) < 3:
         return []
     return polygons_of(shapely.make_valid(Polygon(ring)))
-
-
-def signed_area(ring: np.ndarray) -> float:
-    """Return the signed area of a ring, shape (n, 2) [mm2]."""
-    x, y = ring.T
-    return float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
 
 
 def _normals(face: Any) -> np.ndarray:

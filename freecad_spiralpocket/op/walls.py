@@ -19,6 +19,7 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
+from ..engine.polyline import signed_area
 from ..engine.region import polygons_of
 from . import geometry
 from .open_sides import OpenSides, lines_of
@@ -33,7 +34,6 @@ from .slices import (
     polygons_in,
     section,
     shadow,
-    signed_area,
     solid_section,
     triangles_of,
 )
