@@ -17,6 +17,7 @@ import math
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from shapely import LineString, Point, Polygon, box
@@ -30,6 +31,9 @@ from freecad_spiralpocket.engine.force import MATERIALS, Cutter
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest, Strategy
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
 from freecad_spiralpocket.study import Setup, Study
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 DIAMETER, DEPTH, CORNER = 6.0, 2.0, 8.0
 SPIRAL_STEP, CONTOUR_STEP, ZIGZAG_STEP = 3.5, 3.0, 4.0
@@ -184,6 +188,14 @@ def with_mode(path: Toolpath, mode: FeedMode) -> Toolpath:
     return plan_feeds(path, measured.engagement, rules)
 
 
+def path_by_feed(axes: Axes, study: Study) -> None:
+    """Draw the path in the plane, colored by programmed feed."""
+    path = study.toolpath
+    feeds = path.feeds[study.engagement.moves] * 60
+    bounds = (0.0, float(feeds[np.isfinite(feeds)].max(initial=1.0)))
+    plots.colored_path(axes, study, feeds, bounds, "programmed feed [mm/min]")
+
+
 def draw(name: str, pocket: Polygon, folder: Path) -> None:
     """Write the plots of one pocket."""
     from matplotlib.figure import Figure
@@ -208,7 +220,7 @@ def draw(name: str, pocket: Polygon, folder: Path) -> None:
     for column, mode in enumerate(FeedMode):
         measured = study(with_mode(path, mode), THIN_STEP)
         measured = Study(measured.toolpath, replace(measured.setup, spindle_speed=15000 / 60))
-        plots.path_by_feed(axes[0, column], measured)
+        path_by_feed(axes[0, column], measured)
         plots.engagement_along_path(axes[1, column], measured)
         plots.velocity_along_path(axes[2, column], measured)
         plots.force_against_time(axes[3, column], measured)

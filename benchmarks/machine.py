@@ -114,7 +114,8 @@ def compare(programs: Path, readings: Path) -> dict[str, float]:
         if reading.get("errors"):
             print(f"{name:24} left out: {reading['errors'][0][:60]!r}")
             continue
-        found = _differences(gcode.read_program(programs / name), reading)
+        program = (programs / name).read_text(encoding="utf-8", errors="replace")
+        found = _differences(gcode.parse_program(program), reading)
         print(f"{name:24} {'':17}", *(f"{key} {value:+.3f}" for key, value in found.items()))
         for key, value in found.items():
             largest[key] = max(largest[key], abs(value))

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 import re
-from pathlib import Path
 
 import numpy as np
 
@@ -28,11 +27,6 @@ _WORD = re.compile(r"([A-Z])\s*([-+]?(?:\d+\.?\d*|\.\d+))")
 _SUBPROGRAMS = {("M", 97.0), ("M", 98.0)}
 _MACHINE_G = {28, 30, 53}
 _IGNORED_G = {4, 17, 28, 30, 40, 43, 49, 53, 54, 55, 56, 57, 58, 59, 61, 61.1, 64, 80, 94, 98, 99}
-
-
-def read_program(path: str | Path, rapid: float = RAPID) -> Toolpath:
-    """Read the program in the file at `path`; see `parse_program`."""
-    return parse_program(Path(path).read_text(encoding="utf-8", errors="replace"), rapid)
 
 
 def parse_program(text: str, rapid: float = RAPID, feed: float = 0.0) -> Toolpath:

@@ -26,14 +26,7 @@ _GAP = 0.5
 def path_by_engagement(axes: Axes, study: Study) -> None:
     """Draw the path in the plane, colored by engagement angle."""
     angles = np.degrees(study.engagement.angles)
-    _colored_path(axes, study, angles, (0.0, 180.0), "engagement angle [deg]")
-
-
-def path_by_feed(axes: Axes, study: Study) -> None:
-    """Draw the path in the plane, colored by programmed feed."""
-    feeds = study.toolpath.feeds[study.engagement.moves] * 60
-    bounds = (0.0, float(feeds[np.isfinite(feeds)].max(initial=1.0)))
-    _colored_path(axes, study, feeds, bounds, "programmed feed [mm/min]")
+    colored_path(axes, study, angles, (0.0, 180.0), "engagement angle [deg]")
 
 
 def engagement_along_path(axes: Axes, study: Study) -> None:
@@ -108,7 +101,7 @@ def _legend(axes: Axes) -> None:
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.98), ncols=2, frameon=False)
 
 
-def _colored_path(
+def colored_path(
     axes: Axes, study: Study, values: np.ndarray, bounds: tuple[float, float], label: str
 ) -> None:
     """Draw the stretches between neighboring samples, colored by the later one's value."""

@@ -72,8 +72,6 @@ class FeedRules:
         Largest ratio to the programmed feed (Chip thickness), 1 or more.
     machine_speed : float
         No feed above this [mm/s].
-    least_run : float, optional
-        Least length of one feed [mm]; by default 0.3 of the cutter's radius.
 
     Raises
     ------
@@ -88,7 +86,6 @@ class FeedRules:
     slowed: float = 0.75
     largest_ratio: float = 2.0
     machine_speed: float = np.inf
-    least_run: float | None = None
 
     def __post_init__(self) -> None:
         """Check the ranges."""
@@ -99,8 +96,6 @@ class FeedRules:
             raise ValueError(f"slowed must be in (0, 1], got {self.slowed}")
         if self.largest_ratio < 1:
             raise ValueError(f"largest_ratio must be 1 or more, got {self.largest_ratio}")
-        if self.least_run is not None and self.least_run < 0:
-            raise ValueError(f"least_run must not be negative, got {self.least_run}")
 
 
 def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> Toolpath:
@@ -123,7 +118,7 @@ def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> To
     if len(toolpath) == 0:
         return toolpath
     follows = _follows(toolpath.roles, rules.mode)
-    least = LEAST_RUN * rules.cutter_radius if rules.least_run is None else rules.least_run
+    least = LEAST_RUN * rules.cutter_radius
     stations, ratios = _allowed_ratios(toolpath, engagement, rules)
     lengths = toolpath.lengths
     ends = np.cumsum(lengths)

@@ -71,31 +71,6 @@ class ClosedQuartic:
     controls: Floats
     deviation: float
 
-    def at(self, u: Floats, order: int = 0) -> Floats:
-        """Return points, or derivatives by the parameter, at parameters of shape (k,)."""
-        knots, index = _periodic(self.breaks)
-        from scipy.interpolate import BSpline
-
-        spline = BSpline(knots, self.controls[index], DEGREE)
-        return np.asarray(spline(np.mod(u, 1.0), order))
-
-    def patches(self) -> tuple[Floats, Floats, Floats]:
-        """Return the patches in Hermite form.
-
-        Returns
-        -------
-        points, tangents : ndarray of shape (n + 1, 2)
-            At the breaks, and the derivatives there by the parameter [mm].
-        bulges : ndarray of shape (n, 2)
-            w: on patch i, with u from 0 to 1 and tangents times the patch's span, the curve is
-            the cubic Hermite curve plus ``u^2 (1 - u)^2 w``.
-        """
-        points, tangents = self.at(self.breaks), self.at(self.breaks, 1)
-        spans = np.diff(self.breaks)[:, None]
-        middle = self.at((self.breaks[:-1] + self.breaks[1:]) / 2)
-        cubic = (points[:-1] + points[1:]) / 2 + spans * (tangents[:-1] - tangents[1:]) / 8
-        return points, tangents, 16.0 * (middle - cubic)
-
     def sample(self, spacing: float) -> Floats:
         """Return points about `spacing` apart [mm], the last is the first again."""
         length = float(np.hypot(*np.diff(self.controls, axis=0, append=self.controls[:1]).T).sum())
@@ -196,14 +171,6 @@ def _fit(closed: Floats, along: Floats, effort: Floats, count: int) -> ClosedQua
         u = u + (dx * tx + dy * ty) / square
     normal = (dx * ty - dy * tx) / np.sqrt(square)
     return ClosedQuartic(breaks, controls, float(np.abs(normal).max()))
-
-
-def _periodic(breaks: Floats) -> tuple[Floats, NDArray[np.intp]]:
-    """Return the double knots of one period and what it needs beside, and the controls' order."""
-    n = len(breaks) - 1
-    before, after = breaks[-3:-1] - 1.0, breaks[1:3] + 1.0
-    knots = np.repeat(np.concatenate([before, breaks, after]), 2)
-    return knots, np.arange(len(knots) - DEGREE - 1) % (2 * n)
 
 
 class _Basis:

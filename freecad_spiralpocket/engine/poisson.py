@@ -54,13 +54,19 @@ class HeatField:
         x0, y0 = self.origin
         return x0 + self.spacing * np.arange(columns), y0 + self.spacing * np.arange(rows)
 
-    def at(self, points: Floats) -> Floats:
-        """Return the temperature at points of shape (n, 2) inside the region [mm2]."""
-        return self._interpolated(np.nan_to_num(self.values)[None], points)[0]
-
     def gradient(self, points: Floats) -> Floats:
-        """Return the gradient at points of shape (n, 2) inside the region, shape (n, 2) [mm]."""
-        return self._interpolated(self.slopes, points).T
+        """Return the gradient at points of shape (n, 2) inside the region, shape (n, 2) [mm].
+
+        Linear in each cell.
+        """
+        rows, columns = self.values.shape
+        at = (points - self.origin) / self.spacing
+        column = np.clip(at[:, 0].astype(int), 0, columns - 2)
+        row = np.clip(at[:, 1].astype(int), 0, rows - 2)
+        x, y = np.clip(at[:, 0] - column, 0.0, 1.0), np.clip(at[:, 1] - row, 0.0, 1.0)
+        flat, first = self.slopes.reshape(2, -1), row * columns + column
+        a, b, c, d = (np.take(flat, first + by, axis=1) for by in (0, 1, columns, columns + 1))
+        return np.asarray((1 - y) * ((1 - x) * a + x * b) + y * ((1 - x) * c + x * d)).T
 
     def is_beside(self, place: Floats, nodes: NDArray[np.bool_]) -> bool:
         """Return whether a place of an isotherm, on a grid line, is beside one of some nodes.
@@ -71,17 +77,6 @@ class HeatField:
         rows = {math.floor(row + 1e-9), math.ceil(row - 1e-9)}
         columns = {math.floor(column + 1e-9), math.ceil(column - 1e-9)}
         return any(nodes[r, c] for r in rows for c in columns)
-
-    def _interpolated(self, values: Floats, points: Floats) -> Floats:
-        """Return values of shape (k, ny, nx) at points, linear in each cell, shape (k, n)."""
-        rows, columns = self.values.shape
-        at = (points - self.origin) / self.spacing
-        column = np.clip(at[:, 0].astype(int), 0, columns - 2)
-        row = np.clip(at[:, 1].astype(int), 0, rows - 2)
-        x, y = np.clip(at[:, 0] - column, 0.0, 1.0), np.clip(at[:, 1] - row, 0.0, 1.0)
-        flat, first = values.reshape(len(values), -1), row * columns + column
-        a, b, c, d = (np.take(flat, first + by, axis=1) for by in (0, 1, columns, columns + 1))
-        return np.asarray((1 - y) * ((1 - x) * a + x * b) + y * ((1 - x) * c + x * d))
 
 
 def solve(region: Polygon, spacing: float) -> HeatField:

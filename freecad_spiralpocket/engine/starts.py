@@ -37,16 +37,14 @@ from .shaping import buffer, largest, oriented
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
 
-#: Shares of the largest clearance down to which the medial axis is peeled.
-PEELED = (0.8,)
 #: The whole tree is tried if it is longer than its longest path by this.
 BRANCHED = 1.15
 #: Vertices of the tree that matter less than this are left out [mm].
 SPINE_SLACK = 0.1
 #: Half the racetrack's width over D; less where a post would remain in a bend.
 HALF_WIDTHS = (0.46, 0.42, 0.38, 0.33)
-#: A groove runs along the axis peeled to this share of the largest clearance, without branches
-#: shorter than this over the clearance at their foot.
+#: Slots run about the axis peeled to this share of the largest clearance, without branches shorter
+#: than this over the clearance at their foot.
 UNFORKED, SPUR = 0.8, 1.6
 #: A racetrack is tried as well where walls are so near to the axis, over D: it clears all at once.
 NARROW = 1.0
@@ -210,19 +208,16 @@ def _point(region: Polygon, center: Floats, request: PocketRequest) -> Start:
 def _spines(axis: Skeleton, request: PocketRequest) -> list[shapely.Geometry]:
     """Return the curves to open: the longest path of the peeled axis, and all of it if branched."""
     radius = request.cutter_radius
-    spines: list[shapely.Geometry] = []
-    for share in PEELED:
-        edges = without_spurs(axis, peel(axis, share), SPUR)
-        points = longest_path(axis, edges)
-        if len(points) < 2:
-            continue
-        path = LineString(points)
-        if path.length > radius and all(abs(path.length - o.length) > 1.0 for o in spines):
-            spines.append(LineString(smoothed(path, SMOOTHING * radius)))
-            pieces = shapely.multilinestrings([axis.nodes[list(edge)] for edge in edges])
-            tree = shapely.simplify(shapely.line_merge(pieces), SPINE_SLACK)
-            if tree.length > BRANCHED * path.length and not _has_loop(edges):
-                spines.append(tree)
+    edges = without_spurs(axis, peel(axis, UNFORKED), SPUR)
+    points = longest_path(axis, edges)
+    if len(points) < 2 or LineString(points).length <= radius:
+        return []
+    path = LineString(points)
+    spines: list[shapely.Geometry] = [LineString(smoothed(path, SMOOTHING * radius))]
+    pieces = shapely.multilinestrings([axis.nodes[list(edge)] for edge in edges])
+    tree = shapely.simplify(shapely.line_merge(pieces), SPINE_SLACK)
+    if tree.length > BRANCHED * path.length and not _has_loop(edges):
+        spines.append(tree)
     return spines
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -15,6 +16,7 @@ from shapely import box
 from freecad_spiralpocket.engine.engagement import along_path
 from freecad_spiralpocket.engine.feed import (
     DEAD_BAND,
+    LEAST_RUN,
     RUNG,
     SLOT,
     FeedMode,
@@ -46,7 +48,7 @@ class Engagement(NamedTuple):
 
 def rules(mode: FeedMode, **changes) -> FeedRules:
     """Return rules for the cutter of these tests."""
-    return FeedRules(mode, RADIUS, LIMIT, LINK_FEED, **changes)
+    return replace(FeedRules(mode, RADIUS, LIMIT, LINK_FEED), **changes)
 
 
 def straight(*lengths: float, role: Role = Role.CUT) -> Toolpath:
@@ -237,14 +239,14 @@ def chip_thickness(feeds: np.ndarray, angles: np.ndarray) -> np.ndarray:
 
 
 @settings(deadline=None, max_examples=60)
-@given(shares, moves, st.sampled_from(FeedMode), st.floats(0.0, 15.0))
-def test_feed_is_nowhere_above_what_is_allowed(angles, lengths, mode, least):
+@given(shares, moves, st.sampled_from(FeedMode), st.floats(0.1, 50.0))
+def test_feed_is_nowhere_above_what_is_allowed(angles, lengths, mode, radius):
     path = straight(*lengths)
     knots = np.linspace(0, sum(lengths), len(angles))
     engagement = engaged(path, lambda s: np.pi * np.interp(s, knots, angles))
     if not len(engagement.moves):
         return
-    planned = plan_feeds(path, engagement, rules(mode, least_run=least))
+    planned = plan_feeds(path, engagement, rules(mode, cutter_radius=radius))
     stations = stations_of(path, engagement.moves, engagement.points)
     links = planned.roles[moves_at(planned, stations)] == Role.LINK
     phi, feeds = engagement.angles, feeds_at(planned, stations)
@@ -298,10 +300,12 @@ def test_runs_are_long_and_few():
     path = straight(*rng.uniform(0.1, 0.6, 2000))
     noise = rng.normal(0, 0.15, 10_000)
     engagement = engaged(path, lambda s: LIMIT * (0.8 + noise[: len(s)]))
-    planned = plan_feeds(path, engagement, rules(FeedMode.CHIP_THICKNESS, least_run=6.0))
+    least = 6.0
+    wide = rules(FeedMode.CHIP_THICKNESS, cutter_radius=least / LEAST_RUN)
+    planned = plan_feeds(path, engagement, wide)
     starts = np.flatnonzero(np.r_[True, np.diff(planned.feeds) != 0])
     runs = np.add.reduceat(planned.lengths, starts)
-    assert runs[1:-1].min() > 6.0 - 2 * 0.6  # edges go to ends of moves
+    assert runs[1:-1].min() > least - 2 * 0.6  # edges go to ends of moves
     assert len(planned) <= len(path) + len(runs)
 
 
@@ -353,7 +357,6 @@ def test_path_without_moves_or_samples():
         {"slowed": 0.0},
         {"slowed": 1.1},
         {"largest_ratio": 0.9},
-        {"least_run": -1.0},
         {"machine_speed": 0.0},
     ],
 )
