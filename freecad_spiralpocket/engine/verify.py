@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The proof: what a finished toolpath does, measured on its moves alone.
 
-It knows nothing of how the path was made and shares no code with what makes it.
 Uncut area, gouge, engagement, chip load, rapids and links through stock, time;
 what a machinist should know becomes a notice in the report.
+
+It knows nothing of how the path was made: no fronts, laps or links. What was asked for
+it takes from where the planner takes it, and would not see an error there: the outline,
+the sections of slanted walls, the levels, and which channels are too narrow to enter
+(`region.without_hairs`). The engagement is the one that the feeds were set by. Beyond
+that only small helpers for shapes and points are shared.
 """
 
 from __future__ import annotations
