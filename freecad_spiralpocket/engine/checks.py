@@ -14,7 +14,7 @@ from shapely import Geometry, Polygon, get_coordinates, is_valid_reason
 
 from .entry import NARROWEST, WIDEST
 from .errors import GeometryError, RequestError
-from .model import FeedPlan, PocketRequest
+from .model import Cutting, Entry, FeedPlan, Feeds, PocketRequest
 
 #: Levels may pass the one above, and the step down, by this [mm].
 NESTED = 0.01
@@ -34,7 +34,13 @@ def check_request(request: PocketRequest) -> None:
     GeometryError
         If the outline of the pocket, the stock, or what lies beyond open sides is broken.
     """
-    _check_numbers(request)
+    _check_cutter(request.tool_diameter, request.cutting.stepover)
+    _check_feeds(request.feeds)
+    _check_tolerance(request.tolerance, request.tool_diameter)
+    _check_entry(request.entry, request.axial_depth)
+    _check_feed_plan(request.feed_plan)
+    _check_start_point(request.start_point)
+    _check_stock_to_leave(request.cutting)
     _check_heights(request)
     _check_turns(request)
     _check_outline(request.pocket)
@@ -44,8 +50,7 @@ def check_request(request: PocketRequest) -> None:
         _check_sections(request)
 
 
-def _check_numbers(request: PocketRequest) -> None:
-    diameter, stepover = request.tool_diameter, request.cutting.stepover
+def _check_cutter(diameter: float, stepover: float) -> None:
     _check_positive("The cutter's diameter", diameter, "Set it in the tool of the tool controller.")
     if not (math.isfinite(stepover) and stepover > 0):
         raise RequestError(
@@ -57,44 +62,42 @@ def _check_numbers(request: PocketRequest) -> None:
             f"A step-over of {stepover:g} mm is wider than the {diameter:g} mm cutter.",
             "Set StepOver to 100 % or less.",
         )
-    feeds = request.feeds
+
+
+def _check_feeds(feeds: Feeds) -> None:
     hint = "Set the feeds in the tool controller."
     _check_positive("The horizontal feed", feeds.horizontal, hint)
     _check_positive("The vertical feed", feeds.vertical, hint)
     _check_positive("The horizontal rapid rate", feeds.horizontal_rapid, hint)
     _check_positive("The vertical rapid rate", feeds.vertical_rapid, hint)
-    _check_positive("The tolerance", request.tolerance, "0.01 mm is usual.")
-    if request.tolerance > COARSEST * request.tool_diameter:
+
+
+def _check_tolerance(tolerance: float, diameter: float) -> None:
+    _check_positive("The tolerance", tolerance, "0.01 mm is usual.")
+    if tolerance > COARSEST * diameter:
         raise RequestError(
-            f"A tolerance of {request.tolerance:g} mm is too coarse for this cutter.",
-            f"Set Tolerance to at most {COARSEST * request.tool_diameter:g} mm; 0.01 mm is usual.",
+            f"A tolerance of {tolerance:g} mm is too coarse for this cutter.",
+            f"Set Tolerance to at most {COARSEST * diameter:g} mm; 0.01 mm is usual.",
         )
-    if not 0 < request.entry.helix_angle < math.pi / 2:
+
+
+def _check_entry(entry: Entry, axial_depth: float) -> None:
+    if not 0 < entry.helix_angle < math.pi / 2:
         raise RequestError(
-            f"A helix angle of {math.degrees(request.entry.helix_angle):g} degrees cannot be cut.",
+            f"A helix angle of {math.degrees(entry.helix_angle):g} degrees cannot be cut.",
             "Set HelixAngle above 0 and below 90 degrees; 5 is usual.",
         )
-    if not 0 <= request.entry.slot_bite < math.inf:
+    if not 0 <= entry.slot_bite < math.inf:
         raise RequestError("The slot bite is negative.", "Set SlotBite to 0 to have it found.")
-    if request.axial_depth > MOST_LEVELS * request.entry.slot_bite > 0:
+    if axial_depth > MOST_LEVELS * entry.slot_bite > 0:
         raise RequestError(
-            f"With a slot bite of {request.entry.slot_bite:g} mm a slot has more than "
-            f"{MOST_LEVELS} levels.",
+            f"With a slot bite of {entry.slot_bite:g} mm a slot has more than {MOST_LEVELS} levels.",
             "Raise SlotBite, or set it to 0 to have it found.",
         )
-    if not request.entry.max_diameter >= 0:
+    if not entry.max_diameter >= 0:
         raise RequestError(
             "The helix's diameter limit is negative.", "Set HelixDiameterLimit to 0 for no limit."
         )
-    _check_feed_plan(request.feed_plan)
-    if request.start_point is not None and not np.isfinite(request.start_point).all():
-        raise RequestError("The start point is not a place.", "Set StartPoint, or do without.")
-    for name, value in (
-        ("XY stock to leave", request.cutting.stock_to_leave),
-        ("Z stock to leave", request.cutting.floor_stock),
-    ):
-        if not math.isfinite(value):
-            raise RequestError(f"The {name} is not a number.", "Set it to 0 for none.")
 
 
 def _check_feed_plan(plan: FeedPlan) -> None:
@@ -112,6 +115,20 @@ def _check_feed_plan(plan: FeedPlan) -> None:
         raise RequestError(
             "The link feed is negative.", "Set LinkFeed to 0 for the horizontal rapid rate."
         )
+
+
+def _check_start_point(place: tuple[float, float] | None) -> None:
+    if place is not None and not np.isfinite(place).all():
+        raise RequestError("The start point is not a place.", "Set StartPoint, or do without.")
+
+
+def _check_stock_to_leave(cutting: Cutting) -> None:
+    for name, value in (
+        ("XY stock to leave", cutting.stock_to_leave),
+        ("Z stock to leave", cutting.floor_stock),
+    ):
+        if not math.isfinite(value):
+            raise RequestError(f"The {name} is not a number.", "Set it to 0 for none.")
 
 
 def _check_positive(name: str, value: float, hint: str) -> None:
