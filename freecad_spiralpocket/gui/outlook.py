@@ -89,9 +89,8 @@ class Outlook:
 
     def computed(self) -> None:
         """Look again; after Stop nothing goes on until the next change."""
-        errors = self._obj.Proxy.errors
         self.changed()
-        self.is_stopped = any(isinstance(e, CancelledError) for e in errors)
+        self.is_stopped = was_stopped(self._obj)
         if self.is_stopped:
             self._quiet.stop()
             for pocket in self.pockets:
@@ -175,6 +174,11 @@ class Outlook:
         for pocket in sorted(self.pockets, key=lambda p: p.request.pocket.area):
             pocket.prove()
         self.tell()
+
+
+def was_stopped(obj: Any) -> bool:
+    """Return whether an operation has no path as Stop was pressed; an Undo brings it back."""
+    return not obj.Path.Length and any(isinstance(e, CancelledError) for e in obj.Proxy.errors)
 
 
 class Pocket:

@@ -117,7 +117,7 @@ class Preview:
         if done == count:
             return translate("SpiralPocket", "This is the proved path.")
         if outlook.is_stopped:
-            return translate("SpiralPocket", "Draft. Stopped; the next change goes on.")
+            return translate("SpiralPocket", "Draft. Stopped; Apply or the next change goes on.")
         share = sum(p.fraction for p in outlook.pockets) / count
         return translate("SpiralPocket", "Draft. The path is being proved: {:.0f} %").format(
             100 * share

@@ -93,8 +93,8 @@ class ResultBox:
         applied = is_applied(self._obj, plans)
         remarks = remarks_of(self._obj, self._outlook)
         state = self._state_of(bool(plans), applied, bool(remarks))
-        shown = ([id(p) for p in plans], state, remarks)
         is_known = bool(plans) or self._outlook.is_settled
+        shown = ([id(p) for p in plans], state, remarks, is_known)
         self._enable(is_known)
         if shown == self._shown:
             return
@@ -102,7 +102,9 @@ class ResultBox:
         self._state.setText(state)
         if not is_known and not remarks:
             return
-        self._page.form.summary.setText(summary_of(self._obj, plans, remarks) or state)
+        stopped = self._outlook.is_stopped and not plans
+        told = "" if stopped else summary_of(self._obj, plans, remarks)
+        self._page.form.summary.setText(told or state)
         self._show_figures(figures_of(self._obj, plans) if plans else [])
         self._show_remarks(remarks)
 
@@ -116,6 +118,8 @@ class ResultBox:
             return translate("SpiralPocket", "The operation has this path.")
         if planned:
             return translate("SpiralPocket", "OK or Apply makes this path.")
+        if self._outlook.is_stopped:
+            return translate("SpiralPocket", "Stopped: no new path. OK or Apply plans it again.")
         if self._outlook.is_settled and told:
             return translate("SpiralPocket", "There is no path.")
         return translate("SpiralPocket", "Not known yet.")

@@ -4,7 +4,7 @@
 FreeCAD's own panel commits before it recomputes, so that an Undo brings the
 values back and not the path, and closes whatever comes of it. Here OK
 recomputes within the transaction and, when there is no path, says why and stays
-open; OK once more accepts that. Cancel aborts the transaction, which takes a new
+open; OK once more accepts that, or plans again if it was stopped. Cancel aborts the transaction, which takes a new
 operation away altogether. An Undo or Redo, or deleting the operation, closes the
 panel without touching the document; FreeCAD's own panels abort a transaction in
 the middle of the Undo then, which crashes it. It closes like that as well when another
@@ -24,6 +24,7 @@ from ..op.compat import parent_job
 from . import messages
 from .compat import PathOpGui, PathSelection
 from .names import forget_namesakes, rename_attributes, renamed
+from .outlook import was_stopped
 from .room import make_room
 
 translate = FreeCAD.Qt.translate
@@ -38,6 +39,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.view_provider = obj.ViewObject.Proxy
         self.operation_page = page
         self.touched = _touched(obj.Document)
+        self.outcome = obj.Proxy.plans, obj.Proxy.errors  # which no transaction brings back
         self.is_open = self.has_lost_widgets = False
         super().__init__(obj, is_new, page, selection_factory)
         names = {}
@@ -62,7 +64,8 @@ class TaskPanel(PathOpGui.TaskPanel):
 
     def accept(self, resetEdit: bool = True) -> Any:  # noqa: N803
         """Take the values over and close, if there is a path or the user knows there is none."""
-        if (self.isDirty() or "Touched" in self.obj.State) and not self.compute():
+        is_due = self.isDirty() or "Touched" in self.obj.State or was_stopped(self.obj)
+        if is_due and not self.compute():
             return False
         closed = super().accept(resetEdit)
         _close_transaction(abort=False)
@@ -71,8 +74,10 @@ class TaskPanel(PathOpGui.TaskPanel):
     def reject(self, resetEdit: bool = True) -> bool:  # noqa: N803
         """Undo everything since the panel was opened, a new operation included, and close."""
         self.preCleanup()
+        proxy = self.obj.Proxy  # which may be out of reach in a moment
         self.document.abortTransaction()
         _close_transaction(abort=True)
+        proxy.plans, proxy.errors = self.outcome
         for obj in _touched(self.document) - self.touched:
             obj.purgeTouched()  # values and path are as they were: nothing to compute
         if self.deleteOnReject and self.document.getObject(self.name) is not None:
@@ -91,8 +96,13 @@ class TaskPanel(PathOpGui.TaskPanel):
         Shows the errors, except that the user pressed Stop.
         """
         self.panelGetFields()
+        if was_stopped(self.obj):
+            self.obj.touch()
         self.document.recompute()
         self.setClean()
+        if was_stopped(self.obj):
+            self.isdirty = True  # so that Apply can be pressed again
+            self.pageDirtyChanged(None)
         self.operation_page.show_outcome()
         errors = self.obj.Proxy.errors or self._unexpected_errors()
         shown = [e for e in errors if not isinstance(e, CancelledError)]

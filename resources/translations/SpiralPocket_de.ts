@@ -284,8 +284,8 @@
         <translation>Dies ist der geprüfte Pfad.</translation>
     </message>
     <message>
-        <source>Draft. Stopped; the next change goes on.</source>
-        <translation>Entwurf. Gestoppt; die nächste Änderung geht weiter.</translation>
+        <source>Draft. Stopped; Apply or the next change goes on.</source>
+        <translation>Entwurf. Gestoppt; Anwenden oder die nächste Änderung geht weiter.</translation>
     </message>
     <message>
         <source>Draft. The path is being proved: {:.0f} %</source>
@@ -374,6 +374,10 @@
     <message>
         <source>OK or Apply makes this path.</source>
         <translation>OK oder Anwenden erzeugt diesen Pfad.</translation>
+    </message>
+    <message>
+        <source>Stopped: no new path. OK or Apply plans it again.</source>
+        <translation>Gestoppt: kein neuer Pfad. OK oder Anwenden plant ihn neu.</translation>
     </message>
     <message>
         <source>There is no path.</source>

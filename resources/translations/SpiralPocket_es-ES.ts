@@ -284,8 +284,8 @@
         <translation>Esta es la trayectoria comprobada.</translation>
     </message>
     <message>
-        <source>Draft. Stopped; the next change goes on.</source>
-        <translation>Borrador. Detenido; el próximo cambio continúa.</translation>
+        <source>Draft. Stopped; Apply or the next change goes on.</source>
+        <translation>Borrador. Detenido; Aplicar o el próximo cambio continúa.</translation>
     </message>
     <message>
         <source>Draft. The path is being proved: {:.0f} %</source>
@@ -374,6 +374,10 @@
     <message>
         <source>OK or Apply makes this path.</source>
         <translation>Aceptar o Aplicar crea esta trayectoria.</translation>
+    </message>
+    <message>
+        <source>Stopped: no new path. OK or Apply plans it again.</source>
+        <translation>Detenido: no hay trayectoria nueva. Aceptar o Aplicar la planifica de nuevo.</translation>
     </message>
     <message>
         <source>There is no path.</source>

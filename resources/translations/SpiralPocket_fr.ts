@@ -284,8 +284,8 @@
         <translation>Ceci est le parcours vérifié.</translation>
     </message>
     <message>
-        <source>Draft. Stopped; the next change goes on.</source>
-        <translation>Ébauche. Arrêté ; le prochain changement reprend.</translation>
+        <source>Draft. Stopped; Apply or the next change goes on.</source>
+        <translation>Ébauche. Arrêté ; Appliquer ou le prochain changement reprend.</translation>
     </message>
     <message>
         <source>Draft. The path is being proved: {:.0f} %</source>
@@ -374,6 +374,10 @@
     <message>
         <source>OK or Apply makes this path.</source>
         <translation>OK ou Appliquer crée ce parcours.</translation>
+    </message>
+    <message>
+        <source>Stopped: no new path. OK or Apply plans it again.</source>
+        <translation>Arrêté : pas de nouveau parcours. OK ou Appliquer le replanifie.</translation>
     </message>
     <message>
         <source>There is no path.</source>

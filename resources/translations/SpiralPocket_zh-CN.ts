@@ -284,8 +284,8 @@
         <translation>这是已验证的刀路。</translation>
     </message>
     <message>
-        <source>Draft. Stopped; the next change goes on.</source>
-        <translation>草稿。已停止；下次更改时继续。</translation>
+        <source>Draft. Stopped; Apply or the next change goes on.</source>
+        <translation>草稿。已停止；“应用”或下次更改时继续。</translation>
     </message>
     <message>
         <source>Draft. The path is being proved: {:.0f} %</source>
@@ -374,6 +374,10 @@
     <message>
         <source>OK or Apply makes this path.</source>
         <translation>“确定”或“应用”生成此刀路。</translation>
+    </message>
+    <message>
+        <source>Stopped: no new path. OK or Apply plans it again.</source>
+        <translation>已停止：没有新刀路。“确定”或“应用”重新规划。</translation>
     </message>
     <message>
         <source>There is no path.</source>

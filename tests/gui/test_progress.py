@@ -6,13 +6,18 @@ from PySide import QtCore, QtGui
 from window import (
     APPLY,
     CANCEL,
+    OK,
     answered,
     dialog,
+    edit,
+    is_panel_open,
     panel,
+    panel_button,
     press,
     press_toolbar_button,
     pump,
     select,
+    wait_for,
     widget,
 )
 
@@ -82,6 +87,62 @@ def test_stop_leaves_an_empty_path_and_the_panel_open(job, floor, worker, stage)
     widget("stepOverPercent").setValue(45)
     press(APPLY)
     assert len(operation.Path.Commands) > 50
+    press(CANCEL)
+
+
+@pytest.mark.parametrize("worker", ["process"], indirect=True)
+def test_stop_is_told_and_the_next_value_planned(job, floor, worker):
+    select(floor)
+    press_toolbar_button()
+    press(APPLY)
+    page, (operation,) = panel().operation_page, job.Operations.Group
+    wait_for(lambda: page.outlook.is_settled)
+    widget("stepOverPercent").setValue(LONG)
+    stop = Stop("Laying")
+    press(OK)
+    assert stop.label and is_panel_open()
+    wait_for(lambda: page.outlook.is_settled)
+    assert "Stopped" in widget("summary").text() and widget("summary").isEnabled()
+    assert not page.result_box.texts
+    assert panel_button(APPLY).isEnabled()
+    widget("stepOverPercent").setValue(45)
+    press(OK)
+    assert not is_panel_open()
+    assert len(operation.Path.Commands) > 50
+
+
+@pytest.mark.parametrize("worker", ["process"], indirect=True)
+def test_ok_after_stop_plans_the_same_again(job, floor, worker):
+    select(floor)
+    press_toolbar_button()
+    (operation,) = job.Operations.Group
+    widget("stepOverPercent").setValue(LONG)
+    for _ in range(2):
+        stop = Stop("Laying")
+        press(OK)
+        assert stop.label and is_panel_open()
+        assert operation.Proxy.errors
+    press(CANCEL)
+
+
+@pytest.mark.parametrize("worker", ["process"], indirect=True)
+def test_cancel_after_stop_leaves_the_path_as_before(job, floor, worker):
+    select(floor)
+    press_toolbar_button()
+    press(OK)
+    (operation,) = job.Operations.Group
+    before, plans = operation.Path.toGCode(), operation.Proxy.plans
+    edit(operation)
+    widget("stepOverPercent").setValue(LONG)
+    stop = Stop("Laying")
+    press(APPLY)
+    assert stop.label and operation.Path.Length == 0
+    press(CANCEL)
+    assert operation.Path.toGCode() == before and len(before) > 1000
+    assert operation.Proxy.plans == plans and not operation.Proxy.errors
+    edit(operation)
+    wait_for(lambda: panel().operation_page.outlook.is_settled)
+    assert "Stopped" not in widget("summary").text()
     press(CANCEL)
 
 
