@@ -123,6 +123,11 @@ class Outlook:
         return [d.plan for d in drawn if d is not None] if drawn and all(drawn) else []
 
     @property
+    def fraction(self) -> float:
+        """Return the share of the proofs that is done."""
+        return sum(p.fraction for p in self.pockets) / max(1, len(self.pockets))
+
+    @property
     def is_settled(self) -> bool:
         """Return whether nothing more will come without a change."""
         waits = any(t.isActive() for t in (self._soon, self._quiet, self._news))

@@ -19,6 +19,7 @@ from .outlook import Outlook, Pocket
 from .previewbox import PreviewBox
 from .previewcolors import OVER_LIMIT, Scale, is_cut
 from .previewscene import DraftItem, PathItem, Scene
+from .resulttext import switched_off
 
 translate = FreeCAD.Qt.translate
 
@@ -27,7 +28,7 @@ class Preview:
     """An extra of the panel."""
 
     def __init__(self, page: Any) -> None:
-        self._outlook = Outlook.of(page)
+        self._obj, self._outlook = page.obj, Outlook.of(page)
         self._scene = Scene(page.obj.ViewObject)
         self._items: dict[Pocket, Any] = {}
         self._scale = Scale("engagement", 180.0)
@@ -113,14 +114,13 @@ class Preview:
             return "\n".join(dict.fromkeys(str(e) for e in errors))
         count, done = len(outlook.pockets), len(self._drawn())
         if not count:
-            return ""
+            return "" if self._obj.Active else switched_off()
         if done == count:
             return translate("SpiralPocket", "This is the proved path.")
         if outlook.is_stopped:
             return translate("SpiralPocket", "Draft. Stopped; Apply or the next change goes on.")
-        share = sum(p.fraction for p in outlook.pockets) / count
         return translate("SpiralPocket", "Draft. The path is being proved: {:.0f} %").format(
-            100 * share
+            100 * outlook.fraction
         )
 
     def _color(self, quantity: str) -> None:

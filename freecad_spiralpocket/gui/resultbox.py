@@ -16,6 +16,7 @@ from .compat import freecad_icon
 from .localized import localized
 from .outlook import Outlook
 from .resultfigures import Place, Remark, figures_of, is_applied, remarks_of, summary_of
+from .resulttext import switched_off
 from .zoom import zoom_to
 
 translate = FreeCAD.Qt.translate
@@ -86,13 +87,13 @@ class ResultBox:
     def _update(self) -> None:
         """Show what is known by now, if it is something else.
 
-        Until there is something new, what stands there stays, in grey: the panel must not jump
-        while a value is typed.
+        Until there is something new, what stands there stays, in grey, but for the first line of
+        the page: the panel must not jump while a value is typed.
         """
         plans = self._outlook.plans
         applied = is_applied(self._obj, plans)
         remarks = remarks_of(self._obj, self._outlook)
-        state = self._state_of(bool(plans), applied, bool(remarks))
+        state = self._state_of(bool(plans), applied)
         is_known = bool(plans) or self._outlook.is_settled
         shown = ([id(p) for p in plans], state, remarks, is_known)
         self._enable(is_known)
@@ -100,11 +101,11 @@ class ResultBox:
             return
         self._shown = shown
         self._state.setText(state)
+        waits = not is_known or (self._outlook.is_stopped and not plans)
+        told = "" if waits else summary_of(self._obj, plans, remarks)
+        self._page.form.summary.setText(told or state)
         if not is_known and not remarks:
             return
-        stopped = self._outlook.is_stopped and not plans
-        told = "" if stopped else summary_of(self._obj, plans, remarks)
-        self._page.form.summary.setText(told or state)
         self._show_figures(figures_of(self._obj, plans) if plans else [])
         self._show_remarks(remarks)
 
@@ -113,16 +114,20 @@ class ResultBox:
         self.body.setEnabled(on)
         self._page.form.summary.setEnabled(on)
 
-    def _state_of(self, planned: bool, applied: bool, told: bool) -> str:
+    def _state_of(self, planned: bool, applied: bool) -> str:
         if applied:
             return translate("SpiralPocket", "The operation has this path.")
         if planned:
             return translate("SpiralPocket", "OK or Apply makes this path.")
         if self._outlook.is_stopped:
             return translate("SpiralPocket", "Stopped: no new path. OK or Apply plans it again.")
-        if self._outlook.is_settled and told:
+        if not self._obj.Active:
+            return switched_off()
+        if not self._outlook.is_on:
+            return translate("SpiralPocket", "Live is off: OK or Apply plans the path.")
+        if self._outlook.is_settled:
             return translate("SpiralPocket", "There is no path.")
-        return translate("SpiralPocket", "Not known yet.")
+        return translate("SpiralPocket", "Planning: {:.0f} %").format(100 * self._outlook.fraction)
 
     def _show_figures(self, figures: list[tuple[str, str]]) -> None:
         while self.figures.count():

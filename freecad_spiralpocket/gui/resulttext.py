@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How figures read: times, lengths and areas in the user's unit."""
+"""How figures read: times, lengths and areas in the user's unit; and what stands for them."""
 
 from __future__ import annotations
 
@@ -35,6 +35,11 @@ def duration(seconds: float) -> str:
     if whole >= 60:
         return f"{whole // 60} min {whole % 60:02d} s"
     return f"{whole} s"
+
+
+def switched_off() -> str:
+    """Return what to say in place of the path of an operation that is not active."""
+    return translate("SpiralPocket", "Switched off: no path until Active is set again.")
 
 
 def _user_unit() -> tuple[float, str]:

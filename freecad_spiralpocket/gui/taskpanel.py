@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel around the pages: OK, Apply, Cancel, and Undo while it is open.
 
-FreeCAD's own panel commits before it recomputes, so that an Undo brings the
-values back and not the path, and closes whatever comes of it. Here OK
-recomputes within the transaction and, when there is no path, says why and stays
-open; OK once more accepts that, or plans again if it was stopped. Cancel aborts the transaction, which takes a new
-operation away altogether. An Undo or Redo, or deleting the operation, closes the
-panel without touching the document; FreeCAD's own panels abort a transaction in
-the middle of the Undo then, which crashes it. It closes like that as well when another
-command takes the dialog away (``FreeCADGui.Control.closeDialog()``), which tells nobody.
+FreeCAD's own panel commits before it recomputes, so that an Undo brings the values back
+and not the path, and closes whatever comes of it. Here OK recomputes within the
+transaction and, when there is no path, says why and stays open; OK once more accepts
+that, or plans again if it was stopped. Cancel aborts the transaction, which takes a new
+operation away altogether. An Undo or Redo, or deleting the operation, closes the panel
+without touching the document; FreeCAD's own panels abort a transaction in the middle of
+the Undo then, which crashes it. It closes like that as well when another command takes
+the dialog away (``FreeCADGui.Control.closeDialog()``), which tells nobody.
 """
 
 from __future__ import annotations

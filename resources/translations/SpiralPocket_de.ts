@@ -360,10 +360,6 @@
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Not known yet.</source>
-        <translation>Noch nicht bekannt.</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
@@ -380,8 +376,16 @@
         <translation>Gestoppt: kein neuer Pfad. OK oder Anwenden plant ihn neu.</translation>
     </message>
     <message>
+        <source>Live is off: OK or Apply plans the path.</source>
+        <translation>„Live“ ist aus: OK oder Anwenden plant den Pfad.</translation>
+    </message>
+    <message>
         <source>There is no path.</source>
         <translation>Es gibt keinen Pfad.</translation>
+    </message>
+    <message>
+        <source>Planning: {:.0f} %</source>
+        <translation>Planung: {:.0f} %</translation>
     </message>
     <message>
         <source>Click to see the place</source>
@@ -410,6 +414,10 @@
     <message>
         <source>remarks: {}</source>
         <translation>Hinweise: {}</translation>
+    </message>
+    <message>
+        <source>Switched off: no path until Active is set again.</source>
+        <translation>Abgeschaltet: kein Pfad, bis Active wieder gesetzt ist.</translation>
     </message>
     <message>
         <source>unknown</source>

@@ -360,10 +360,6 @@
         <translation>Detener</translation>
     </message>
     <message>
-        <source>Not known yet.</source>
-        <translation>Aún no se conoce.</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Resultado</translation>
     </message>
@@ -380,8 +376,16 @@
         <translation>Detenido: no hay trayectoria nueva. Aceptar o Aplicar la planifica de nuevo.</translation>
     </message>
     <message>
+        <source>Live is off: OK or Apply plans the path.</source>
+        <translation>«En vivo» está desactivado: Aceptar o Aplicar planifica la trayectoria.</translation>
+    </message>
+    <message>
         <source>There is no path.</source>
         <translation>No hay trayectoria.</translation>
+    </message>
+    <message>
+        <source>Planning: {:.0f} %</source>
+        <translation>Planificando: {:.0f} %</translation>
     </message>
     <message>
         <source>Click to see the place</source>
@@ -410,6 +414,10 @@
     <message>
         <source>remarks: {}</source>
         <translation>avisos: {}</translation>
+    </message>
+    <message>
+        <source>Switched off: no path until Active is set again.</source>
+        <translation>Desactivada: sin trayectoria hasta volver a activar Active.</translation>
     </message>
     <message>
         <source>unknown</source>

@@ -360,10 +360,6 @@
         <translation>Arrêter</translation>
     </message>
     <message>
-        <source>Not known yet.</source>
-        <translation>Pas encore connu.</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Résultat</translation>
     </message>
@@ -380,8 +376,16 @@
         <translation>Arrêté : pas de nouveau parcours. OK ou Appliquer le replanifie.</translation>
     </message>
     <message>
+        <source>Live is off: OK or Apply plans the path.</source>
+        <translation>« En direct » est désactivé : OK ou Appliquer planifie le parcours.</translation>
+    </message>
+    <message>
         <source>There is no path.</source>
         <translation>Il n'y a pas de parcours.</translation>
+    </message>
+    <message>
+        <source>Planning: {:.0f} %</source>
+        <translation>Planification : {:.0f} %</translation>
     </message>
     <message>
         <source>Click to see the place</source>
@@ -410,6 +414,10 @@
     <message>
         <source>remarks: {}</source>
         <translation>remarques : {}</translation>
+    </message>
+    <message>
+        <source>Switched off: no path until Active is set again.</source>
+        <translation>Désactivée : pas de parcours tant qu’Active n’est pas rétabli.</translation>
     </message>
     <message>
         <source>unknown</source>

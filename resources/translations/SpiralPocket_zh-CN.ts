@@ -360,10 +360,6 @@
         <translation>停止</translation>
     </message>
     <message>
-        <source>Not known yet.</source>
-        <translation>尚未得知。</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>结果</translation>
     </message>
@@ -380,8 +376,16 @@
         <translation>已停止：没有新刀路。“确定”或“应用”重新规划。</translation>
     </message>
     <message>
+        <source>Live is off: OK or Apply plans the path.</source>
+        <translation>“实时”已关闭：“确定”或“应用”规划刀路。</translation>
+    </message>
+    <message>
         <source>There is no path.</source>
         <translation>没有刀路。</translation>
+    </message>
+    <message>
+        <source>Planning: {:.0f} %</source>
+        <translation>正在规划：{:.0f} %</translation>
     </message>
     <message>
         <source>Click to see the place</source>
@@ -410,6 +414,10 @@
     <message>
         <source>remarks: {}</source>
         <translation>提示：{} 条</translation>
+    </message>
+    <message>
+        <source>Switched off: no path until Active is set again.</source>
+        <translation>已停用：重新启用 Active 之前没有刀路。</translation>
     </message>
     <message>
         <source>unknown</source>

@@ -11,6 +11,7 @@ from pivy import coin
 from window import (
     APPLY,
     CANCEL,
+    OK,
     edit,
     panel,
     pixels_that_differ,
@@ -23,6 +24,7 @@ from window import (
     widget,
 )
 
+from freecad_spiralpocket.gui import planning
 from freecad_spiralpocket.gui.resulttext import duration
 
 
@@ -129,6 +131,38 @@ def test_click_on_a_remark_brings_the_view_to_its_place(narrow):
     eye = np.array(camera.position.getValue().getValue())
     away = np.array(box._remarks[places[0]].place) - eye
     assert np.linalg.norm(np.cross(away, ahead)) < 0.1
+    press(CANCEL)
+
+
+def test_first_line_says_how_far_the_planning_is(job, floor, monkeypatch):
+    monkeypatch.setattr(planning, "_proved", {})
+    select(floor)
+    press_toolbar_button()
+    widget("stepOverPercent").setValue(4)
+    seen = []
+    wait_for(lambda: seen.append(widget("summary").text()) or page().outlook.is_settled, 60)
+    shares = [int(t.split()[1]) for t in seen if t.startswith("Planning: ")]
+    assert len(set(shares)) > 1 and shares == sorted(shares)
+    assert "limit" in widget("summary").text()
+    press(CANCEL)
+
+
+def test_first_line_says_that_live_is_off(opened):
+    press(APPLY)
+    page().preview.box.live.setChecked(False)
+    pump()
+    assert "Live" in widget("summary").text() and not page().result_box.texts
+    press(CANCEL)
+
+
+def test_panel_of_an_inactive_operation_says_so(opened):
+    press(OK)
+    opened.Active = False
+    opened.Document.recompute()
+    edit(opened)
+    settle()
+    assert "Active" in widget("summary").text()
+    assert page().preview.box.status.text() == widget("summary").text() == state()
     press(CANCEL)
 
 
