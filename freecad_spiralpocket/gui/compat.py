@@ -18,17 +18,14 @@ from ..op.compat import IS_LEGACY, PathOp
 from .names import renamed
 
 if IS_LEGACY:
-    from PathScripts import PathGui as PathGuiUtil
     from PathScripts import PathOpGui, PathSelection
 else:
-    import Path.Base.Gui.Util as PathGuiUtil
     import Path.Op.Gui.Base as PathOpGui
     import Path.Op.Gui.Selection as PathSelection
 
 __all__ = [
     "INACTIVE_ICON",
     "NO_TOOL_CONTROLLER_ERRORS",
-    "PathGuiUtil",
     "PathOpGui",
     "PathSelection",
     "PathUtils",
@@ -37,7 +34,6 @@ __all__ = [
     "has_tool_controller_editor",
     "load_form",
     "run_dialog",
-    "show_value",
 ]
 
 
@@ -54,12 +50,6 @@ FORMS = 5
 
 #: What making an operation raises when the job has no tool controller, or none was chosen.
 NO_TOOL_CONTROLLER_ERRORS = (PathUtils.PathNoTCExistsException, PathOp.PathNoTCException)
-
-
-def show_value(spin_box: Any) -> None:
-    """Make a bound ``QuantitySpinBox`` show the value or expression of its property."""
-    update = getattr(spin_box, "updateWidget", None) or spin_box.updateSpinBox
-    update()
 
 
 def check_box_signal(box: Any) -> Any:

@@ -8,7 +8,7 @@ that the user changed it. Tooltips are the properties' own documentation.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from typing import Any, Protocol
 
@@ -16,7 +16,8 @@ import FreeCAD
 from PySide import QtCore
 
 from .choices import choice_text
-from .compat import PathGuiUtil, check_box_signal, show_value
+from .compat import check_box_signal
+from .entries import PERCENT, PLAIN, Entry, Scale, lengths
 
 translate = FreeCAD.Qt.translate
 
@@ -31,9 +32,12 @@ class Field(Protocol):
     ----------
     names : tuple of str
         The properties that it shows.
+    entries : sequence of Entry
+        What it has of boxes to type into.
     """
 
     names: tuple[str, ...]
+    entries: Sequence[Entry]
 
     def show(self) -> None:
         """Show the property's value in the widget, without any signal."""
@@ -70,6 +74,8 @@ def expression(obj: Any, name: str) -> str | None:
 class _Bound:
     """A widget, an operation and the name of a property of it."""
 
+    entries: Sequence[Entry] = ()
+
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         self.widget, self.obj, self.name = widget, obj, name
         self.names = (name,)
@@ -104,16 +110,25 @@ class Choice(_Bound):
 class Number(_Bound):
     """A percentage or another plain number in a spin box."""
 
+    def __init__(self, widget: Any, obj: Any, name: str) -> None:
+        super().__init__(widget, obj, name)
+        scale = PERCENT if widget.suffix() else PLAIN
+        self._entry = Entry(widget, obj, self.names, scale)
+        self.entries = (self._entry,)
+
     def _show(self) -> None:
-        self.widget.setValue(getattr(self.obj, self.name))
+        self._entry.show(getattr(self.obj, self.name))
 
     def write(self) -> None:
-        """Write the number."""
-        set_property(self.obj, self.name, self.widget.value())
+        """Write the number, a whole one where the property is."""
+        value = self._entry.entered()
+        if value is not None:
+            is_whole = isinstance(getattr(self.obj, self.name), int)
+            set_property(self.obj, self.name, round(value) if is_whole else value)
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
-        return [self.widget.valueChanged]
+        return self._entry.signals()
 
 
 class Check(_Bound):
@@ -132,30 +147,33 @@ class Check(_Bound):
 
 
 class Quantity(_Bound):
-    """A length or an angle in a ``Gui::QuantitySpinBox``, with its unit and expression.
-
-    The box rounds to the user's decimals, in inches a tolerance to nothing: a value is written
-    only if another one was typed.
-    """
+    """A length or an angle in a ``Gui::QuantitySpinBox``, with its unit and expression."""
 
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         super().__init__(widget, obj, name)
-        self._binding = PathGuiUtil.QuantitySpinBox(widget, obj, name)
-        self._shown = ""
+        value = getattr(obj, name)
+        is_length = value.Unit == FreeCAD.Units.Length
+        self._entry = Entry(widget, obj, self.names, lengths() if is_length else Scale.of(value))
+        self.entries = (self._entry,)
+        widget.setProperty("binding", f"{obj.Name}.{name}")  # for expressions
 
     def _show(self) -> None:
-        show_value(self._binding)
-        self._shown = self.widget.text()
+        text = expression(self.obj, self.name)
+        value = self.obj.evalExpression(text) if text else getattr(self.obj, self.name)
+        self._entry.show(getattr(value, "Value", value))
+        self.widget.setReadOnly(bool(text))
 
     def write(self) -> None:
-        """Write the value, or what its expression gives."""
-        if self.widget.text() != self._shown:
-            self._shown = self.widget.text()
-            self._binding.updateProperty()
+        """Write the value, if another one was entered."""
+        value = self._entry.entered()
+        if value is not None and not expression(self.obj, self.name):
+            set_property(self.obj, self.name, value)
+            if not self._entry.is_typing:
+                self._show()  # the arrows count in the box's unit
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
-        return [self.widget.valueChanged, self.widget.editingFinished]
+        return self._entry.signals()
 
 
 class LinkFeed(_Bound):
@@ -172,19 +190,19 @@ class LinkFeed(_Bound):
                 "Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate",
             )
         )
-        widget.setProperty("unit", FreeCAD.Units.Quantity("1 m/s").getUserPreferred()[2])
-        self._shown = ""
+        speeds = Scale.of(FreeCAD.Units.Quantity("1 m/s"))
+        self._entry = Entry(widget, obj, self.names, speeds)
+        self.entries = (self._entry,)
 
     def _show(self) -> None:
-        self.widget.setProperty("rawValue", getattr(self.obj, self.name) / MINUTE)
-        self._shown = self.widget.text()
+        self._entry.show(getattr(self.obj, self.name) / MINUTE)
 
     def write(self) -> None:
-        """Write the feed, if another one was typed: the box rounds."""
-        if self.widget.text() != self._shown:
-            self._shown = self.widget.text()
-            set_property(self.obj, self.name, self.widget.property("rawValue") * MINUTE)
+        """Write the feed, if another one was entered."""
+        value = self._entry.entered()
+        if value is not None:
+            set_property(self.obj, self.name, value * MINUTE)
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
-        return [self.widget.valueChanged]
+        return self._entry.signals()

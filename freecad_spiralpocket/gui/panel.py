@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import FreeCAD
+
 from ..engine.model import FeedMode, Strategy
 from ..op.properties import INHERITED, TABLE, option_names
 from .choices import strategy_note
@@ -20,6 +22,8 @@ from .names import rename_attributes
 from .startpoint import StartPointField
 from .startup import RESOURCES
 from .stepover import StepOverField
+
+translate = FreeCAD.Qt.translate
 
 FORM = RESOURCES / "panels" / "SpiralPocket.ui"
 
@@ -66,6 +70,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
     is_writing = False
     was_changed = False  # while writing
     is_closed = False
+    refusals: Sequence[str] = ()  # what to say of what was typed in vain
 
     def getForm(self) -> Any:  # noqa: N802 - the name FreeCAD calls
         """Return the page's widgets."""
@@ -101,14 +106,28 @@ class OperationPage(PathOpGui.TaskPanelPage):
         return signals + [signal for field in self.fields for signal in field.signals()]
 
     def registerSignalHandlers(self, obj: Any) -> None:  # noqa: N802
-        """Let the boxes of the step-over be tidied up when one is left."""
-        for box in self.step_over.boxes:
-            box.editingFinished.connect(self.tidy)
+        """Let what was typed be looked at when a box is left."""
+        for field in self.fields:
+            for entry in field.entries:
+                entry.box.editingFinished.connect(self.tidy)
 
     def tidy(self) -> None:
-        """Replace what was typed halfway; the operation may be gone, and the box lose its focus."""
-        if not self.is_closed:
-            self.step_over.show()
+        """Show what stays of what was typed; the operation may be gone, and the box be left."""
+        if self.is_closed:
+            return
+        left = [f for f in self.fields if any(e.is_typing or e.is_refused for e in f.entries)]
+        refused = [(e.box, *e.refusal()) for f in left for e in f.entries if e.is_refused]
+        for field in left:
+            field.show()
+        if left:
+            self.refusals = [self._refusal(*each) for each in refused]
+            self.outlook.tell()
+
+    def _refusal(self, box: Any, typed: str, advice: str) -> str:
+        """Return what to say of what was typed in vain, now that the box shows what stays."""
+        label = getattr(self.form, f"{box.objectName()}Label").text()
+        said = translate("SpiralPocket", '{}: "{}" is not taken, {} stays.')
+        return f"{said.format(label, typed, box.text())} {advice}"
 
     def pageGetFields(self) -> None:  # noqa: N802 - the name FreeCAD calls
         """Write all fields, unless the panel closes and a box loses its focus by that."""
@@ -158,7 +177,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
         for field in self.fields:
             if prop in field.names or prop == "ExpressionEngine":
                 field.show()
-        if prop in INPUTS:
+        if prop in INPUTS or prop == "ExpressionEngine":
             self.tell_changed()
 
     def updateSelection(self, obj: Any, sel: Any) -> None:  # noqa: N802
@@ -167,6 +186,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
 
     def tell_changed(self) -> None:
         """Tell the extras that the path is out of date."""
+        self.refusals = ()
         for extra in self.extras:
             extra.changed()
 

@@ -32,6 +32,7 @@ class ResultBox:
         self._page, self._obj = page, page.obj
         self._outlook = Outlook.of(page)
         self._remarks: list[Remark] = []
+        self._refusals: list[Remark] = []
         self.box = QtGui.QWidget()
         self.box.setWindowTitle(translate("SpiralPocket", "Result"))
         self.box.setWindowIcon(QtGui.QIcon(freecad_icon("Inspect")))
@@ -92,7 +93,8 @@ class ResultBox:
         """
         plans = self._outlook.plans
         applied = is_applied(self._obj, plans)
-        remarks = remarks_of(self._obj, self._outlook)
+        refusals = [Remark(text) for text in self._page.refusals]
+        remarks = [*refusals, *remarks_of(self._obj, self._outlook)]
         state = self._state_of(bool(plans), applied)
         is_known = bool(plans) or self._outlook.is_settled
         shown = ([id(p) for p in plans], state, remarks, is_known)
@@ -103,11 +105,12 @@ class ResultBox:
         self._state.setText(state)
         waits = not is_known or (self._outlook.is_stopped and not plans)
         told = "" if waits else summary_of(self._obj, plans, remarks)
-        self._page.form.summary.setText(told or state)
-        if not is_known and not remarks:
-            return
-        self._show_figures(figures_of(self._obj, plans) if plans else [])
-        self._show_remarks(remarks)
+        self._page.form.summary.setText(refusals[0].text if refusals else told or state)
+        if is_known:
+            self._show_figures(figures_of(self._obj, plans) if plans else [])
+        if is_known or remarks or self._refusals:
+            self._show_remarks(remarks)
+        self._refusals = refusals
 
     def _enable(self, on: bool) -> None:
         """Show what stands here, and the line at the top of the page, in black or in grey."""

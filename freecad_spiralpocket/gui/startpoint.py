@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui
 
 from .compat import check_box_signal
+from .entries import Entry, lengths
 from .fields import set_property, silent
 
 translate = FreeCAD.Qt.translate
@@ -22,39 +23,41 @@ class StartPointField:
 
     def __init__(self, form: Any, obj: Any) -> None:
         self.obj, self.check, self.button = obj, form.useStartPoint, form.pickStartPoint
-        self.boxes = {"x": form.startPointX, "y": form.startPointY}
-        self._shown = dict.fromkeys(self.boxes, "")
+        self._entries = {
+            axis: Entry(box, obj, ("StartPoint",), lengths())
+            for axis, box in (("x", form.startPointX), ("y", form.startPointY))
+        }
+        self.entries = tuple(self._entries.values())
+        self._boxes = [entry.box for entry in self.entries]
         tip = translate("App::Property", obj.getDocumentationOfProperty("StartPoint"))
-        for widget in (self.check, *self.boxes.values()):
+        for widget in (self.check, *self._boxes):
             widget.setToolTip(tip)
-        for box in self.boxes.values():
-            box.setProperty("unit", obj.OpToolDiameter.getUserPreferred()[2])
         self.button.clicked.connect(self.take_picked)
         self.enable_button(FreeCADGui.Selection.getSelectionEx())
 
     def show(self) -> None:
         """Show the point, without any signal."""
-        with silent(self.check, *self.boxes.values()):
+        with silent(self.check):
             self.check.setChecked(self.obj.UseStartPoint)
-            for axis, box in self.boxes.items():
-                box.setProperty("rawValue", getattr(self.obj.StartPoint, axis))
-                self._shown[axis] = box.text()
+        for axis, entry in self._entries.items():
+            entry.show(getattr(self.obj.StartPoint, axis))
         self._enable()
 
     def write(self) -> None:
-        """Write the point, as far as something else was typed: the boxes round."""
+        """Write the point, as far as something else was entered."""
         set_property(self.obj, "UseStartPoint", self.check.isChecked())
-        point = FreeCAD.Vector(self.obj.StartPoint)
-        for axis, box in self.boxes.items():
-            if box.text() != self._shown[axis]:
-                self._shown[axis] = box.text()
-                setattr(point, axis, box.property("rawValue"))
-        set_property(self.obj, "StartPoint", point)
+        for axis, entry in self._entries.items():
+            value = entry.entered()
+            if value is not None:
+                point = FreeCAD.Vector(self.obj.StartPoint)
+                setattr(point, axis, value)
+                set_property(self.obj, "StartPoint", point)
         self._enable()
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
-        return [check_box_signal(self.check), *(box.valueChanged for box in self.boxes.values())]
+        typed = [signal for entry in self.entries for signal in entry.signals()]
+        return [check_box_signal(self.check), *typed]
 
     def enable_button(self, selection: Sequence[Any]) -> None:
         """Let the button be pressed where a place was clicked."""
@@ -65,11 +68,11 @@ class StartPointField:
         place = _picked(FreeCADGui.Selection.getSelectionEx())
         if place is not None:
             self.check.setChecked(True)
-            for axis, box in self.boxes.items():
-                box.setProperty("rawValue", getattr(place, axis))
+            for axis, entry in self._entries.items():
+                entry.box.setProperty("rawValue", getattr(place, axis))
 
     def _enable(self) -> None:
-        for box in self.boxes.values():
+        for box in self._boxes:
             box.setEnabled(self.obj.UseStartPoint)
 
 

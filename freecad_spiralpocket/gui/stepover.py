@@ -15,12 +15,15 @@ from typing import Any
 import FreeCAD
 
 from ..engine.stepover import engagement_angle, radial_depth
+from .entries import PERCENT, Entry, Scale, lengths
 from .fields import expression, set_property, silent
 
 translate = FreeCAD.Qt.translate
 
 #: A share of the diameter this near to a whole percentage is that percentage.
 WHOLE = 1e-6
+#: The largest step-over may be the least bit longer than the cutter is wide, by rounding.
+ROUNDED_UP = 1 + 1e-9
 
 
 class StepOverField:
@@ -30,15 +33,16 @@ class StepOverField:
 
     def __init__(self, form: Any, obj: Any) -> None:
         self.obj = obj
-        self.percent, self.length, self.angle = self.boxes = (
-            form.stepOverPercent,
-            form.stepOver,
-            form.maxEngagement,
-        )
-        self._shown = dict.fromkeys(self.boxes, "")
-        self.length.setProperty("unit", obj.OpToolDiameter.getUserPreferred()[2])
-        self.angle.setProperty("unit", obj.MaxEngagement.getUserPreferred()[2])
-        self.angle.setProperty("binding", f"{obj.Name}.MaxEngagement")  # for expressions
+        angles = Scale.of(obj.MaxEngagement)
+        self.entries = self.percent, self.length, self.angle = [
+            Entry(box, obj, self.names[:2], scale, is_exact=False, is_positive=is_positive)
+            for box, scale, is_positive in (
+                (form.stepOverPercent, PERCENT, False),
+                (form.stepOver, lengths(), True),
+                (form.maxEngagement, angles, True),
+            )
+        ]
+        self.angle.box.setProperty("binding", f"{obj.Name}.MaxEngagement")  # for expressions
         tips = (
             translate("App::Property", obj.getDocumentationOfProperty("StepOver")),
             translate("SpiralPocket", "The same step-over as a length, for this cutter"),
@@ -48,45 +52,41 @@ class StepOverField:
                 "cutter's diameter, 180° in a full slot",
             ),
         )
-        for box, tip in zip(self.boxes, tips, strict=True):
-            box.setToolTip(tip)
+        for entry, tip in zip(self.entries, tips, strict=True):
+            entry.box.setToolTip(tip)
 
     def show(self) -> None:
         """Show the step-over in all boxes, without any signal."""
         self._show(skip=None)
 
     def write(self) -> None:
-        """Write what was typed into one of the boxes, and show it in the others."""
+        """Write what was entered into one of the boxes, and show it in the others."""
         if self._is_ruled():
             return
-        for typed in [box for box, text in self._shown.items() if box.text() != text]:
-            share = self._share_in(typed)
-            if 0 < share <= 1 + WHOLE:  # else half typed
-                self._keep(min(1.0, share))
-                self._shown[typed] = typed.text()
-                self._show(skip=typed)
-                return
+        for entry in self.entries:
+            value = entry.entered()
+            if value is not None:
+                self._keep(min(1.0, self._share(entry, value)))
+            if value is not None or entry.is_refused:
+                self._show(skip=entry)
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
-        return [self.percent.valueChanged, self.length.valueChanged, self.angle.valueChanged]
+        return [signal for entry in self.entries for signal in entry.signals()]
 
     def _show(self, skip: Any) -> None:
         ruled, diameter, angle = self._is_ruled(), _tool_diameter(self.obj), self._engagement()
         share = radial_depth(angle, 0.5)
-        with silent(*self._shown):
-            if skip is not self.percent:
-                self.percent.setValue(100 * share)
-            if skip is not self.length:
-                self.length.setProperty("rawValue", share * diameter)
-            if skip is not self.angle:
-                self.angle.setProperty("rawValue", math.degrees(angle))
-        self.percent.setEnabled(not ruled)
-        self.length.setEnabled(not ruled and diameter > 0)
-        self.angle.setReadOnly(ruled)
-        for box in self._shown:
-            if box is not skip:
-                self._shown[box] = box.text()
+        if skip is not self.length:
+            with silent(self.length.box):
+                self.length.box.setProperty("maximum", diameter * ROUNDED_UP)
+        values = (100 * share, share * diameter, math.degrees(angle))
+        for entry, value in zip(self.entries, values, strict=True):
+            if entry is not skip:
+                entry.show(value)
+        self.percent.box.setEnabled(not ruled)
+        self.length.box.setEnabled(not ruled and diameter > 0)
+        self.angle.box.setReadOnly(ruled)
 
     def _is_ruled(self) -> bool:
         """Return whether an expression says what the step-over is."""
@@ -101,13 +101,12 @@ class StepOverField:
             return math.radians(min(degrees, 180.0))
         return engagement_angle(self.obj.StepOver / 100, 0.5)
 
-    def _share_in(self, box: Any) -> float:
-        """Return the step-over that stands in a box, as a share of the cutter's diameter."""
-        if box is self.percent:
-            return float(box.value()) / 100
-        value = box.property("rawValue")
-        if box is self.length:
-            return float(value / _tool_diameter(self.obj))
+    def _share(self, entry: Entry, value: float) -> float:
+        """Return what stands in a box as a share of the cutter's diameter."""
+        if entry is self.percent:
+            return value / 100
+        if entry is self.length:
+            return value / _tool_diameter(self.obj)
         return radial_depth(math.radians(value), 0.5)
 
     def _keep(self, share: float) -> None:

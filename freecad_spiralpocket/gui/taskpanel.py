@@ -63,7 +63,12 @@ class TaskPanel(PathOpGui.TaskPanel):
         QtCore.QTimer.singleShot(0, self._make_room)
 
     def accept(self, resetEdit: bool = True) -> Any:  # noqa: N803
-        """Take the values over and close, if there is a path or the user knows there is none."""
+        """Take the values over and close, if there is a path or the user knows there is none.
+
+        Stays open as well when what was typed last could not be taken.
+        """
+        if self._was_refused():
+            return False
         is_due = self.isDirty() or "Touched" in self.obj.State or was_stopped(self.obj)
         if is_due and not self.compute():
             return False
@@ -139,6 +144,14 @@ class TaskPanel(PathOpGui.TaskPanel):
             QtCore.QTimer.singleShot(0, self.abandon)
 
     slotRedoDocument = slotUndoDocument  # noqa: N815 - the name FreeCAD calls
+
+    def _was_refused(self) -> bool:
+        """Say so if something was typed that cannot be taken, once."""
+        self.operation_page.tidy()
+        refusals, self.operation_page.refusals = self.operation_page.refusals, ()
+        if refusals:
+            messages.show(*map(SpiralPocketError, refusals))
+        return bool(refusals)
 
     def _make_room(self) -> None:
         if self.is_open:

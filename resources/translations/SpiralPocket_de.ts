@@ -224,12 +224,36 @@
         <translation>{} hat keine Werkzeugsteuerung.</translation>
     </message>
     <message>
+        <source>Type a number.</source>
+        <translation>Eine Zahl eingeben.</translation>
+    </message>
+    <message>
+        <source>Type {} to {}.</source>
+        <translation>{} bis {} eingeben.</translation>
+    </message>
+    <message>
+        <source>Type a number; without a unit it is in {}.</source>
+        <translation>Eine Zahl eingeben; ohne Einheit gilt sie in {}.</translation>
+    </message>
+    <message>
+        <source>Type {} or more.</source>
+        <translation>Mindestens {} eingeben.</translation>
+    </message>
+    <message>
+        <source>Type more than 0, at most {}.</source>
+        <translation>Mehr als 0 eingeben, höchstens {}.</translation>
+    </message>
+    <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>Vorschub der Wege in der Tiefe durch geräumte Fläche, 0 für den waagerechten Eilgang</translation>
     </message>
     <message>
         <source>Spiral Pocket</source>
         <translation>Spiraltasche</translation>
+    </message>
+    <message>
+        <source>{}: "{}" is not taken, {} stays.</source>
+        <translation>{}: „{}“ wird nicht übernommen, {} bleibt.</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>

@@ -224,12 +224,36 @@
         <translation>{} no tiene controlador de herramienta.</translation>
     </message>
     <message>
+        <source>Type a number.</source>
+        <translation>Escriba un número.</translation>
+    </message>
+    <message>
+        <source>Type {} to {}.</source>
+        <translation>Escriba de {} a {}.</translation>
+    </message>
+    <message>
+        <source>Type a number; without a unit it is in {}.</source>
+        <translation>Escriba un número; sin unidad se toma en {}.</translation>
+    </message>
+    <message>
+        <source>Type {} or more.</source>
+        <translation>Escriba {} o más.</translation>
+    </message>
+    <message>
+        <source>Type more than 0, at most {}.</source>
+        <translation>Escriba más de 0, como máximo {}.</translation>
+    </message>
+    <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>Avance de los movimientos en profundidad por zona vaciada, 0 para el rápido horizontal</translation>
     </message>
     <message>
         <source>Spiral Pocket</source>
         <translation>Cajera en espiral</translation>
+    </message>
+    <message>
+        <source>{}: "{}" is not taken, {} stays.</source>
+        <translation>{}: «{}» no se acepta, queda {}.</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>

@@ -224,12 +224,36 @@
         <translation>{} n'a pas de contrôleur d'outil.</translation>
     </message>
     <message>
+        <source>Type a number.</source>
+        <translation>Saisissez un nombre.</translation>
+    </message>
+    <message>
+        <source>Type {} to {}.</source>
+        <translation>Saisissez de {} à {}.</translation>
+    </message>
+    <message>
+        <source>Type a number; without a unit it is in {}.</source>
+        <translation>Saisissez un nombre ; sans unité, il est en {}.</translation>
+    </message>
+    <message>
+        <source>Type {} or more.</source>
+        <translation>Saisissez {} ou plus.</translation>
+    </message>
+    <message>
+        <source>Type more than 0, at most {}.</source>
+        <translation>Saisissez plus de 0, au plus {}.</translation>
+    </message>
+    <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>Avance des trajets en profondeur sur zone vidée, 0 pour l'avance rapide horizontale</translation>
     </message>
     <message>
         <source>Spiral Pocket</source>
         <translation>Poche en spirale</translation>
+    </message>
+    <message>
+        <source>{}: "{}" is not taken, {} stays.</source>
+        <translation>{} : « {} » n’est pas pris, {} reste.</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>

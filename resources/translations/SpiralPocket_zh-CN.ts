@@ -224,12 +224,36 @@
         <translation>{} 没有刀具控制器。</translation>
     </message>
     <message>
+        <source>Type a number.</source>
+        <translation>请输入一个数。</translation>
+    </message>
+    <message>
+        <source>Type {} to {}.</source>
+        <translation>请输入 {} 到 {} 之间的值。</translation>
+    </message>
+    <message>
+        <source>Type a number; without a unit it is in {}.</source>
+        <translation>请输入一个数；不带单位时以 {} 计。</translation>
+    </message>
+    <message>
+        <source>Type {} or more.</source>
+        <translation>请输入不小于 {} 的值。</translation>
+    </message>
+    <message>
+        <source>Type more than 0, at most {}.</source>
+        <translation>请输入大于 0 且不超过 {} 的值。</translation>
+    </message>
+    <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>在已清除区域内以切深移动时的进给，0 为水平快移速度</translation>
     </message>
     <message>
         <source>Spiral Pocket</source>
         <translation>螺旋型腔</translation>
+    </message>
+    <message>
+        <source>{}: "{}" is not taken, {} stays.</source>
+        <translation>{}：不接受“{}”，保留 {}。</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>

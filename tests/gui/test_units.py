@@ -3,8 +3,20 @@
 
 import FreeCAD
 import pytest
-from PySide import QtCore, QtGui
-from window import CANCEL, panel, press, press_toolbar_button, pump, select, widget
+from window import (
+    CANCEL,
+    OK,
+    answered,
+    enter,
+    is_panel_open,
+    panel,
+    press,
+    press_toolbar_button,
+    pump,
+    select,
+    type_into,
+    widget,
+)
 
 INCHES = 3  # FreeCAD's number for inches with decimals
 
@@ -58,23 +70,13 @@ def operation(job, floor):
     select(floor)
     press_toolbar_button()
     yield job.Operations.Group[0]
-    press(CANCEL)
+    if is_panel_open():
+        press(CANCEL)
 
 
 def text(box):
     """Return what a box shows, as number and unit."""
     return box.text().replace('"', " in").split()
-
-
-def type_into(box, letters):
-    """Replace what a box holds by typing."""
-    box.setFocus()
-    box.selectAll()
-    for letter in letters:
-        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-            event = QtGui.QKeyEvent(kind, ord(letter.upper()), QtCore.Qt.NoModifier, letter)
-            QtGui.QApplication.sendEvent(box, event)
-    pump()
 
 
 def test_length_is_shown_in_the_users_unit(inches, operation):
@@ -86,7 +88,7 @@ def test_length_is_shown_in_the_users_unit(inches, operation):
 
 
 def test_what_the_boxes_round_away_is_not_written(inches, operation):
-    assert text(widget("tolerance"))[0] == "0.00"  # of an inch, as FreeCAD shows 0.01 mm
+    assert text(widget("stepOver"))[0] == "0.09"
     operation.StockToLeave = 0.1234
     widget("helixAngle").setProperty("rawValue", 4.0)
     pump()
@@ -100,6 +102,27 @@ def test_feed_of_links_is_shown_in_the_users_unit(inches, operation):
     operation.LinkFeed = 2540.0
     assert text(widget("linkFeed")) == ["100.00", "in/min"]
     assert operation.LinkFeed == 2540.0
+
+
+@pytest.mark.parametrize("letters", ["0.005", "0.0625", "0.012"])
+def test_inches_are_kept_as_they_are_typed(inches, operation, letters):
+    widget("useStartPoint").setChecked(True)
+    for box in ("stockToLeave", "startPointX"):
+        enter(widget(box), letters)
+        assert text(widget(box)) == [letters, "in"]
+    widget("finishingProfile").setChecked(False)  # writes all fields once more
+    assert operation.StockToLeave.Value == pytest.approx(25.4 * float(letters), rel=1e-9)
+    assert operation.StartPoint.x == pytest.approx(25.4 * float(letters), rel=1e-9)
+
+
+def test_ok_does_not_close_over_what_was_not_taken(operation):
+    type_into(widget("stepOver"), "10")
+    with answered() as answer:
+        press(OK)
+    assert is_panel_open() and len(answer.texts) == 1
+    assert "6.00 mm" in answer.texts[0]
+    press(OK)
+    assert not is_panel_open() and operation.StepOver == 40
 
 
 def test_inches_can_be_typed_where_millimeters_are_shown(operation):

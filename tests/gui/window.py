@@ -108,6 +108,35 @@ def widget(name):
     return getattr(panel().operation_page.form, name)
 
 
+def type_into(box, letters):
+    """Replace what a box holds by typing, without leaving it."""
+    box.setFocus()
+    box.selectAll()
+    for letter in letters:
+        strike(box, ord(letter.upper()), letter)
+    pump()
+
+
+def enter(box, letters):
+    """Replace what a box holds by typing, and leave it."""
+    type_into(box, letters)
+    leave(box)
+
+
+def leave(box):
+    """Take the focus from a box, which the window may never have had without a window manager."""
+    box.clearFocus()
+    QtGui.QApplication.sendEvent(box, QtGui.QFocusEvent(QtCore.QEvent.FocusOut))
+    pump()
+
+
+def strike(box, key, letter=""):
+    """Press a key and let it go."""
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        event = QtGui.QKeyEvent(kind, int(key), QtCore.Qt.NoModifier, letter)
+        QtGui.QApplication.sendEvent(box, event)
+
+
 def remarks():
     """Return what the result box of the open panel remarks, in one text."""
     box = panel().operation_page.result_box.list
