@@ -105,14 +105,18 @@ def is_applied(obj: Any, plans: Sequence[Plan]) -> bool:
 
 
 def remarks_of(obj: Any, outlook: Outlook) -> list[Remark]:
-    """Return what is to be told of the path, or why there is none."""
+    """Return what is to be told of the path, or why there is none.
+
+    What the operation has noted is told while it is up to date: what was changed since may need
+    a remark though the path stays the same.
+    """
     top = outlook.pockets[0].request.heights.start_depth if outlook.pockets else 0.0
     known: list[tuple[Notice | SpiralPocketError, float]] = [(n, top) for n in outlook.notices]
     for pocket in outlook.pockets:
         drawn = pocket.drawn
         found = [pocket.error] if pocket.error else drawn.plan.report.notices if drawn else ()
         known += [(notice, pocket.request.heights.start_depth) for notice in found]
-    if is_applied(obj, outlook.plans):
+    if is_applied(obj, outlook.plans) and "Touched" not in obj.State:
         return [Remark(text, _place_in(text, known)) for text in obj.Notices]
     remarks = [Remark(str(problem)) for problem in outlook.problems]
     remarks += [Remark(str(notice), _place(notice, z)) for notice, z in known]

@@ -82,7 +82,8 @@ def requests_of(
     """
     pockets = Pockets(Foresight(obj), known=known)
     found = pockets.requests()
-    return [wanted for _, wanted in found], pockets.foreseen_notices(found)
+    notices = [*obj.Proxy.tool_notices(obj), *pockets.foreseen_notices(found)]
+    return [wanted for _, wanted in found], notices
 
 
 def _now(obj: Any) -> list[tuple[str, float]]:

@@ -166,7 +166,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         if not self.plans:
             raise self.errors[0]
         self.commandlist += commands.without_last_lift(pockets.commands())
-        results.write(obj, self.plans, [*self._tool_notices(obj), *pockets.notices()])
+        results.write(obj, self.plans, [*self.tool_notices(obj), *pockets.notices()])
 
     def check_setup(self, obj: Any) -> None:
         """Raise where the base class would return without a path.
@@ -204,7 +204,8 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
                 "Choose a tool controller with an end mill in it.",
             )
 
-    def _tool_notices(self, obj: Any) -> list[Notice]:
+    def tool_notices(self, obj: Any) -> list[Notice]:
+        """Return what is to be told of the tool's shape."""
         tool = obj.ToolController.Proxy.getTool(obj.ToolController)
         if tool_shape(tool) not in ROUND_TOOLS:
             return []

@@ -18,6 +18,7 @@ from window import (
     press,
     press_toolbar_button,
     pump,
+    remarks,
     screenshot,
     select,
     wait_for,
@@ -26,6 +27,7 @@ from window import (
 
 from freecad_spiralpocket.gui import planning
 from freecad_spiralpocket.gui.resulttext import duration
+from freecad_spiralpocket.op import operation
 
 
 def page():
@@ -144,6 +146,35 @@ def test_first_line_says_how_far_the_planning_is(job, floor, monkeypatch):
     shares = [int(t.split()[1]) for t in seen if t.startswith("Planning: ")]
     assert len(set(shares)) > 1 and shares == sorted(shares)
     assert "limit" in widget("summary").text()
+    press(CANCEL)
+
+
+def test_what_changes_no_path_is_told_as_well(opened):
+    press(OK)
+    edit(opened)
+    settle()
+    opened.StartPoint = (1000, 1000, 0)
+    widget("useStartPoint").setChecked(True)
+    settle()
+    assert "has this path" in state()
+    assert "start point" in remarks() and "remarks: 1" in widget("summary").text()
+    press(OK)
+    edit(opened)
+    settle()
+    assert "start point" in remarks()
+    widget("useStartPoint").setChecked(False)
+    settle()
+    assert "start point" not in remarks()
+    press(CANCEL)
+
+
+def test_rounded_tool_is_told_before_it_cuts(job, floor, monkeypatch):
+    shape = operation.tool_shape(job.Tools.Group[0].Tool)
+    monkeypatch.setattr(operation, "ROUND_TOOLS", (shape,))
+    select(floor)
+    press_toolbar_button()
+    settle()
+    assert "not flat" in remarks()
     press(CANCEL)
 
 
