@@ -5,6 +5,8 @@ Engine, documents and programs speak English, whoever opens them. Only the windo
 translates: a finished sentence is compared with the templates that were collected
 from the engine (resources/translations/messages.json), the figures in it go into the
 translated template. What is not recognized stays English, sentence by sentence.
+
+The engine names properties, as scripts know them; the panel has labels in their place.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ import re
 from functools import cache
 
 import FreeCAD
-from PySide.QtCore import QT_TRANSLATE_NOOP
+from PySide.QtCore import QT_TRANSLATE_NOOP, QLocale
 
 from .startup import RESOURCES
 
@@ -39,9 +41,41 @@ PHRASES = (
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "Pocket {0} of {1}: {2}"),
 )
 
+#: The form of the panel, and its labels for the properties that the engine names.
+PANEL = "SpiralPocketPanel"
+LABELS = {
+    "StepOver": "Step over percent",
+    "MaxEngagement": "Engagement angle",
+    "CutMode": "Cut mode",
+    "StockToLeave": "XY stock to leave",
+    "ZStockToLeave": "Z stock to leave",
+    "HelixAngle": "Helix ramp angle",
+    "HelixDiameterLimit": "Helix max diameter",
+    "SlowdownPercent": "Slow-down percent",
+    "MaxFeedRatio": "Max feed ratio",
+    "Tolerance": "Tolerance",
+    "LinkFeed": "Link feed",
+    "SlotBite": "Slot bite",
+    "ExtendOpenSides": "Extend open sides",
+    "UseRestMachining": "Use rest machining",
+}
+#: Their names, also where no space parts words, as in Chinese.
+_NAMES = re.compile(rf"(?<![A-Za-z])({'|'.join(LABELS)})(?![A-Za-z])")
+_NUMBER = re.compile(r"-?\d+\.\d+")
+
 _PLACE = re.compile(r"\{(\d+|at)\}")
 #: How a place reads (`errors.tell`).
 _AT = r"(the pocket|X-?[\d.]+ Y-?[\d.]+)"
+
+
+def in_panel(text: str) -> str:
+    """Return what the engine says in the user's language, with the panel's labels."""
+    return _NAMES.sub(lambda name: _label(name[1]), localized(text))
+
+
+def _label(name: str) -> str:
+    label = translate(PANEL, LABELS[name])
+    return label if label == name else translate("SpiralPocket", '"{}"').format(label)
 
 
 def localized(text: str) -> str:
@@ -50,11 +84,18 @@ def localized(text: str) -> str:
     for template, pattern in _patterns():
         match = pattern.match(text)
         if match:
-            figures = [localized(figure) for figure in match.groups()]
+            figures = [_figure(figure) for figure in match.groups()]
             sentence = _filled(translate(CONTEXT, template), template, figures)
             return lead + sentence + localized(text[match.end() :])
     subject, colon, rest = text.partition(": ")  # "Part, Face3: The cutter does not fit ..."
     return lead + (subject + colon + localized(rest) if colon else text)
+
+
+def _figure(text: str) -> str:
+    """Return a number with the user's decimal mark, or words in the user's language."""
+    if _NUMBER.fullmatch(text):
+        return text.replace(".", str(QLocale().decimalPoint()))
+    return localized(text)
 
 
 def _filled(translated: str, template: str, figures: list[str]) -> str:

@@ -9,7 +9,7 @@ from PySide import QtGui
 
 from ..engine.errors import SpiralPocketError
 from .compat import run_dialog
-from .localized import localized
+from .localized import in_panel
 
 translate = FreeCAD.Qt.translate
 
@@ -20,8 +20,8 @@ def show(*errors: SpiralPocketError, more: str = "") -> None:
     box.setObjectName("SpiralPocketMessage")
     box.setIcon(QtGui.QMessageBox.Warning)
     box.setWindowTitle(translate("SpiralPocket", "Spiral Pocket"))
-    box.setText("\n\n".join(localized(error.message) for error in errors))
-    hints = dict.fromkeys(localized(e.hint) for e in errors if e.hint)
+    box.setText("\n\n".join(in_panel(error.message) for error in errors))
+    hints = dict.fromkeys(in_panel(e.hint) for e in errors if e.hint)
     box.setInformativeText("\n".join([*hints, *([more] if more else [])]))
     box.setStandardButtons(QtGui.QMessageBox.Ok)
     run_dialog(box)

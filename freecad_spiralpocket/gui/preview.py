@@ -15,6 +15,7 @@ import numpy as np
 
 from ..beside.tasks import Drawn
 from ..engine.model import Floats
+from .localized import in_panel
 from .outlook import Outlook, Pocket
 from .previewbox import PreviewBox
 from .previewcolors import OVER_LIMIT, Scale, is_cut
@@ -111,7 +112,7 @@ class Preview:
         if not outlook.is_on:
             return translate("SpiralPocket", "Switched off.")
         if errors:
-            return "\n".join(dict.fromkeys(str(e) for e in errors))
+            return "\n".join(dict.fromkeys(in_panel(str(e)) for e in errors))
         count, done = len(outlook.pockets), len(self._drawn())
         if not count:
             return "" if self._obj.Active else switched_off()

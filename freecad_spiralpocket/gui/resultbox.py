@@ -13,7 +13,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from .compat import freecad_icon
-from .localized import localized
+from .localized import in_panel
 from .outlook import Outlook
 from .resultfigures import Place, Remark, figures_of, is_applied, remarks_of, summary_of
 from .resulttext import switched_off
@@ -149,7 +149,7 @@ class ResultBox:
         self.list.clear()
         warning = self.list.style().standardIcon(QtGui.QStyle.SP_MessageBoxWarning)
         for remark in remarks:
-            item = QtGui.QListWidgetItem(warning, localized(remark.text))
+            item = QtGui.QListWidgetItem(warning, in_panel(remark.text))
             if remark.place is not None:
                 item.setToolTip(translate("SpiralPocket", "Click to see the place"))
             self.list.addItem(item)

@@ -14,7 +14,7 @@ import Path
 from ..engine.errors import SpiralPocketError
 from ..engine.model import Notice, Plan
 from ..op import commands, request, results
-from .localized import localized
+from .localized import in_panel
 from .resulttext import duration, length, small
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def summary_of(obj: Any, plans: Sequence[Plan], remarks: Sequence[Remark]) -> st
     Empty while nothing is known.
     """
     if not plans:
-        return localized(remarks[0].text) if remarks else ""
+        return in_panel(remarks[0].text) if remarks else ""
     timed = request.has_feeds(obj.ToolController)
     reports = [p.report for p in plans]
     parts = [

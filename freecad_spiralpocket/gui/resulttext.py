@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import FreeCAD
+from PySide import QtCore
 
 translate = FreeCAD.Qt.translate
 
@@ -15,14 +16,14 @@ def small(value: float, power: int = 1) -> str:
     """
     factor, unit = _user_unit()
     digits = 3 if factor < 20 else 4
-    return f"{value / factor**power:.{digits}f} {unit}{'²' if power == 2 else ''}"
+    return f"{_decimal(value / factor**power, digits)} {unit}{'²' if power == 2 else ''}"
 
 
 def length(value: float) -> str:
     """Return a length [mm] in the user's unit, a long one in meters where that is metric."""
     if value < 1000 or not _user_unit()[1].endswith("m"):
         return str(FreeCAD.Units.Quantity(value, FreeCAD.Units.Length).UserString)
-    return f"{value / 1000:.2f} m"
+    return f"{_decimal(value / 1000, 2)} m"
 
 
 def duration(seconds: float) -> str:
@@ -40,6 +41,11 @@ def duration(seconds: float) -> str:
 def switched_off() -> str:
     """Return what to say in place of the path of an operation that is not active."""
     return translate("SpiralPocket", "Switched off: no path until Active is set again.")
+
+
+def _decimal(value: float, digits: int) -> str:
+    """Return a number with the user's decimal mark."""
+    return f"{value:.{digits}f}".replace(".", str(QtCore.QLocale().decimalPoint()))
 
 
 def _user_unit() -> tuple[float, str]:

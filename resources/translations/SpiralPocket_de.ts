@@ -248,6 +248,10 @@
         <translation>Vorschub der Wege in der Tiefe durch geräumte Fläche, 0 für den waagerechten Eilgang</translation>
     </message>
     <message>
+        <source>"{}"</source>
+        <translation>„{}“</translation>
+    </message>
+    <message>
         <source>Spiral Pocket</source>
         <translation>Spiraltasche</translation>
     </message>

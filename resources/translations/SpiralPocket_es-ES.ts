@@ -248,6 +248,10 @@
         <translation>Avance de los movimientos en profundidad por zona vaciada, 0 para el rápido horizontal</translation>
     </message>
     <message>
+        <source>"{}"</source>
+        <translation>«{}»</translation>
+    </message>
+    <message>
         <source>Spiral Pocket</source>
         <translation>Cajera en espiral</translation>
     </message>

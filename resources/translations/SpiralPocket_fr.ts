@@ -248,6 +248,10 @@
         <translation>Avance des trajets en profondeur sur zone vidée, 0 pour l'avance rapide horizontale</translation>
     </message>
     <message>
+        <source>"{}"</source>
+        <translation>« {} »</translation>
+    </message>
+    <message>
         <source>Spiral Pocket</source>
         <translation>Poche en spirale</translation>
     </message>

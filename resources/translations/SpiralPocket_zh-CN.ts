@@ -248,6 +248,10 @@
         <translation>在已清除区域内以切深移动时的进给，0 为水平快移速度</translation>
     </message>
     <message>
+        <source>"{}"</source>
+        <translation>“{}”</translation>
+    </message>
+    <message>
         <source>Spiral Pocket</source>
         <translation>螺旋型腔</translation>
     </message>

@@ -6,10 +6,24 @@ import xml.etree.ElementTree as ElementTree
 import FreeCADGui
 import pytest
 from PySide import QtCore
-from window import CANCEL, action, press, press_toolbar_button, pump, select, toolbar, widget
+from window import (
+    CANCEL,
+    action,
+    panel,
+    press,
+    press_toolbar_button,
+    pump,
+    remarks,
+    select,
+    toolbar,
+    wait_for,
+    widget,
+)
 
 from freecad_spiralpocket.gui import localized as module
-from freecad_spiralpocket.gui.localized import localized
+from freecad_spiralpocket.gui.localized import in_panel, localized
+from freecad_spiralpocket.gui.panel import FIELDS
+from freecad_spiralpocket.gui.resulttext import length, small
 from freecad_spiralpocket.gui.startup import RESOURCES
 
 FOLDER = RESOURCES / "translations"
@@ -81,6 +95,36 @@ def test_every_sentence_is_recognized_with_its_figures(marked, template):
     assert localized(sentence) == expected
     about = localized(f"Part, Face3: {sentence}")
     assert about in (f"Part, Face3: {expected}", f"«Part, Face3: {sentence}»")
+
+
+def test_messages_name_what_the_panel_shows(job, floor, german):
+    select(floor)
+    press_toolbar_button()
+    widgets = {name: box for box, name, _ in FIELDS}
+    widgets.update(StepOver="stepOverPercent", MaxEngagement="maxEngagement")
+    form = panel().operation_page.form
+    for name, source in module.LABELS.items():
+        box = getattr(form, widgets[name])
+        label = getattr(form, f"{widgets[name]}Label", box).text()
+        assert module.translate(module.PANEL, source) == label
+    assert in_panel("Lower ZStockToLeave.") == "„Z-Aufmaß“ verringern."
+    widget("stockToLeave").setProperty("rawValue", 50)
+    wait_for(lambda: panel().operation_page.outlook.is_settled)
+    status = panel().operation_page.preview.box.status.text()
+    for told in (widget("summary").text(), remarks(), status):
+        assert "passt nicht" in told and "„XY-Aufmaß“" in told and "StockToLeave" not in told
+    press(CANCEL)
+
+
+def test_figures_have_the_users_decimal_mark(german):
+    before = QtCore.QLocale()
+    QtCore.QLocale.setDefault(QtCore.QLocale("de_DE"))
+    try:
+        said = "The cutter goes 0.5 mm into the walls. It is at X12.5 Y-3.0."
+        assert localized(said).startswith("Der Fräser geht 0,5 mm")
+        assert (small(0.25), length(12345)) == ("0,250 mm", "12,35 m")
+    finally:
+        QtCore.QLocale.setDefault(before)
 
 
 def test_what_is_not_recognized_stays(marked):
