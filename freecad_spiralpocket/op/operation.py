@@ -151,7 +151,8 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
             results.set_cycle_time(obj, self.plans)
         for error in self.errors:
             log = PathLog.info if isinstance(error, CancelledError) else PathLog.error
-            log(f"{obj.Label}: {error}\n")
+            told = str(error)
+            log(f"{told}\n" if told.startswith(obj.Label) else f"{obj.Label}: {told}\n")
 
     def opExecute(self, obj: Any) -> None:  # noqa: N802
         """Plan every pocket; the base class puts `commandlist` into the path."""

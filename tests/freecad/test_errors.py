@@ -207,11 +207,14 @@ def test_unknown_names_and_choices_are_listed(setting):
     refused(job, base, RequestError, "HelixAngle cannot be '3 mm'", HelixAngle="3 mm")
 
 
-def test_an_operation_outside_of_any_job(op):
+def test_an_operation_outside_of_any_job(op, monkeypatch):
+    logged = []
+    monkeypatch.setattr(operation.PathLog, "error", logged.append)
     op.Proxy.job.Operations.Group = []
     op.touch()
     op.Document.recompute()
     assert not motion(op) and "is not in a job" in op.Notices[0]
+    assert [text.count(op.Label) for text in logged] == [1]
 
 
 def test_a_face_that_vanished(op):
