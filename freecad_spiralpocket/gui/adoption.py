@@ -2,7 +2,9 @@
 """Gives operations a panel and an icon that were made without a window, or by a script.
 
 FreeCAD saves view providers only where there is a window, so a document from
-the command line opens without. Loads nothing until there is such an operation.
+the command line opens without. A FreeCAD without the add-on saves neither these
+nor the operations' own proxies: then the operations are taken over again.
+Loads nothing until there is such an operation.
 """
 
 from __future__ import annotations
@@ -10,7 +12,13 @@ from __future__ import annotations
 import sys
 from typing import Any
 
+import FreeCAD
+
+translate = FreeCAD.Qt.translate
+
 OPERATION_MODULE = "freecad_spiralpocket.op.operation"
+#: A property that no operation of FreeCAD's own has.
+MARK = "SpiralCurve"
 
 
 class Adopter:
@@ -19,11 +27,33 @@ class Adopter:
     def slotActivateDocument(self, document: Any) -> None:  # noqa: N802
         """Look at a document that was opened, which ends with this."""
         if not document.Restoring:
+            revive(document)
             adopt(document)
 
     def slotRecomputedDocument(self, document: Any) -> None:  # noqa: N802
         """Look at a document to which a script may have added operations."""
         adopt(document)
+
+
+def revive(document: Any) -> None:
+    """Take over what was saved without the add-on; only a document that opens has such."""
+    lost = [
+        obj
+        for obj in document.findObjects("Path::Feature")
+        if getattr(obj, "Proxy", obj) is None and MARK in obj.PropertiesList
+    ]
+    if not lost:
+        return
+    from ..op.operation import ObjectSpiralPocket
+
+    for obj in lost:
+        ObjectSpiralPocket.revive(obj)
+        told = translate(
+            "SpiralPocket",
+            "{} was saved by a FreeCAD without Spiral Pocket; its path may be older than the "
+            "part. Recompute the document.",
+        )
+        FreeCAD.Console.PrintWarning(told.format(obj.Label) + "\n")
 
 
 def adopt(document: Any) -> None:

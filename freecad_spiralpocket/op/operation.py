@@ -130,6 +130,16 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         properties.set_results(obj, values)
         return True
 
+    @classmethod
+    def revive(cls, obj: Any) -> None:
+        """Take an operation over that was saved by a FreeCAD without the add-on.
+
+        That keeps all but the proxy, which saves nothing; the path may be older than the part.
+        """
+        obj.Proxy = cls.__new__(cls)
+        obj.Proxy.onDocumentRestored(obj)
+        obj.touch()
+
     def execute(self, obj: Any) -> None:
         """Make the path anew.
 

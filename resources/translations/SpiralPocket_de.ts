@@ -124,6 +124,10 @@
 <context>
     <name>SpiralPocket</name>
     <message>
+        <source>{} was saved by a FreeCAD without Spiral Pocket; its path may be older than the part. Recompute the document.</source>
+        <translation>{} wurde von einem FreeCAD ohne Spiral Pocket gespeichert; der Pfad kann älter sein als das Teil. Das Dokument neu berechnen.</translation>
+    </message>
+    <message>
         <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
         <translation>Jede Tasche, auch mit Inseln und Engstellen: hält den Eingriff, kürzeste Zeit auf der Maschine</translation>
     </message>

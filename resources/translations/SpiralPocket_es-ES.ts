@@ -124,6 +124,10 @@
 <context>
     <name>SpiralPocket</name>
     <message>
+        <source>{} was saved by a FreeCAD without Spiral Pocket; its path may be older than the part. Recompute the document.</source>
+        <translation>{} se guardó con un FreeCAD sin Spiral Pocket; su trayectoria puede ser anterior a la pieza. Recalcule el documento.</translation>
+    </message>
+    <message>
         <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
         <translation>Cualquier cajera, con islas y estrechos: mantiene el contacto, tiempo mínimo en la máquina</translation>
     </message>

@@ -124,6 +124,10 @@
 <context>
     <name>SpiralPocket</name>
     <message>
+        <source>{} was saved by a FreeCAD without Spiral Pocket; its path may be older than the part. Recompute the document.</source>
+        <translation>{} a été enregistré par un FreeCAD sans Spiral Pocket ; son parcours peut être plus ancien que la pièce. Recalculez le document.</translation>
+    </message>
+    <message>
         <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
         <translation>Toute poche, avec îlots et étranglements : tient l'engagement, temps machine minimal</translation>
     </message>

@@ -124,6 +124,10 @@
 <context>
     <name>SpiralPocket</name>
     <message>
+        <source>{} was saved by a FreeCAD without Spiral Pocket; its path may be older than the part. Recompute the document.</source>
+        <translation>{} 曾由没有 Spiral Pocket 的 FreeCAD 保存；其刀路可能比零件旧。请重新计算文档。</translation>
+    </message>
+    <message>
         <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
         <translation>任意型腔，含岛屿和窄颈：保持啮合角，机床用时最短</translation>
     </message>

@@ -21,6 +21,7 @@ from window import (
     press,
     press_toolbar_button,
     pump,
+    report_view,
     screenshot,
     select,
     wait_for,
@@ -253,6 +254,30 @@ def test_operation_can_be_edited_after_reopening(operation, tmp_path):
         assert reopened.StepOver == 12
         assert cut_moves(reopened) > 50
         assert reopened.ViewObject.Proxy.getIcon().endswith("SpiralPocket.svg")
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def test_operation_that_was_saved_without_the_addon_comes_back(operation, tmp_path):
+    file, before = tmp_path / "job.FCStd", operation.Path.toGCode()
+    operation.Label = "Reopened"
+    operation.Proxy = operation.ViewObject.Proxy = None  # as FreeCAD has it then
+    operation.Document.saveAs(str(file))
+    FreeCAD.closeDocument(operation.Document.Name)
+    said = len(report_view())
+    document = FreeCAD.openDocument(str(file))
+    pump(0.3)
+    try:
+        (reopened,) = document.getObjectsByLabel("Reopened")
+        assert report_view()[said:].count("Reopened") == 1
+        assert reopened.Path.toGCode() == before
+        document.recompute()
+        path = before.replace("SpiralPocket", "Reopened")  # it begins with its label
+        assert reopened.Proxy.plans and reopened.Path.toGCode() == path
+        edit(reopened)
+        widget("stepOverPercent").setValue(12)
+        press(OK)
+        assert reopened.StepOver == 12 and cut_moves(reopened) > 50
     finally:
         FreeCAD.closeDocument(document.Name)
 
