@@ -214,16 +214,19 @@ def _change_notices(
             continue
         place = cut.room.region.representative_point()
         asked, taken = request.cutting.stepover, other.cutting.stepover
-        change = f"the strategy {other.strategy.value} instead of {request.strategy.value}"
-        hint = "Choose that strategy, or another step-over."
         if other.strategy is request.strategy:
-            change = f"a step-over of {taken:.3g} mm instead of {asked:.3g} mm"
+            message = (
+                f"The pocket at {{at}} is cut with a step-over of {taken:.3g} mm instead of "
+                f"{asked:.3g} mm: the path asked for failed its proof."
+            )
             hint = f"Set StepOver to {100 * taken / request.tool_diameter:.0f}, or a smaller one."
-        told[id(cut.path.entry)] = Notice(
-            f"The pocket at {{at}} is cut with {change}: the path asked for failed its proof.",
-            hint,
-            (float(place.x), float(place.y)),
-        )
+        else:
+            message = (
+                f"The pocket at {{at}} is cut by {other.strategy.value} instead of "
+                f"{request.strategy.value}: the path asked for failed its proof."
+            )
+            hint = "Choose that strategy, or another step-over."
+        told[id(cut.path.entry)] = Notice(message, hint, (float(place.x), float(place.y)))
     return list(told.values())
 
 

@@ -671,6 +671,10 @@
         <translation>Bei Z{0} reicht die Tasche unter eine Wand.</translation>
     </message>
     <message>
+        <source>At a helix angle of {0} degrees the cutter goes round more than {1} times on its way down.</source>
+        <translation>Bei einem Helixwinkel von {0} Grad läuft der Fräser auf dem Weg nach unten mehr als {1}-mal im Kreis.</translation>
+    </message>
+    <message>
         <source>At {at} the cutter cuts {0} mm into the wall.</source>
         <translation>Bei {at} schneidet der Fräser {0} mm in die Wand.</translation>
     </message>
@@ -685,6 +689,10 @@
     <message>
         <source>Central Spiral needs a pocket whose whole wall can be seen from one place in its middle; the one at {at} has walls behind corners.</source>
         <translation>Die Zentrale Spirale braucht eine Tasche, deren ganze Wand von einer Stelle in der Mitte zu sehen ist; die bei {at} hat Wände hinter Ecken.</translation>
+    </message>
+    <message>
+        <source>Check the geometry of the part and the job's stock.</source>
+        <translation>Die Geometrie des Teils und des Rohteils im Auftrag prüfen.</translation>
     </message>
     <message>
         <source>Check the outline for tiny steps, or choose a smaller cutter.</source>
@@ -717,6 +725,10 @@
     <message>
         <source>Choose one with an end mill in it.</source>
         <translation>Eine mit Schaftfräser wählen.</translation>
+    </message>
+    <message>
+        <source>Choose that strategy, or another step-over.</source>
+        <translation>Diese Strategie wählen, oder eine andere seitliche Zustellung.</translation>
     </message>
     <message>
         <source>Choose the strategy Automatic or Isotherm for this pocket.</source>
@@ -923,6 +935,10 @@
         <translation>HelixAngle über 0 und unter 90 Grad setzen; üblich sind 5.</translation>
     </message>
     <message>
+        <source>Set HelixAngle above {0} degrees; 5 is usual.</source>
+        <translation>HelixAngle auf mehr als {0} Grad setzen; üblich sind 5.</translation>
+    </message>
+    <message>
         <source>Set HelixDiameterLimit to 0 for no limit.</source>
         <translation>HelixDiameterLimit auf 0 setzen: keine Grenze.</translation>
     </message>
@@ -973,6 +989,10 @@
     <message>
         <source>Set StepOver to 100 % or less.</source>
         <translation>StepOver auf höchstens 100 % setzen.</translation>
+    </message>
+    <message>
+        <source>Set StepOver to {0}, or a smaller one.</source>
+        <translation>StepOver auf {0} setzen, oder kleiner.</translation>
     </message>
     <message>
         <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
@@ -1033,6 +1053,10 @@
     <message>
         <source>Take a larger step-over or the strategy Automatic.</source>
         <translation>Eine größere Zustellung oder die Strategie Automatisch nehmen.</translation>
+    </message>
+    <message>
+        <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
+        <translation>Einen kleineren Vorschub oder einen kleineren SlotBite nehmen, wenn das dem Fräser zu viel ist.</translation>
     </message>
     <message>
         <source>Take a smaller cutter or the strategy Automatic.</source>
@@ -1131,6 +1155,14 @@
         <translation>Der Umriss von {0} kreuzt sich selbst.</translation>
     </message>
     <message>
+        <source>The outline of {0} has points at infinity.</source>
+        <translation>Der Umriss ({0}) hat Punkte im Unendlichen.</translation>
+    </message>
+    <message>
+        <source>The outline of {0} is broken ({1}).</source>
+        <translation>Der Umriss ({0}) ist fehlerhaft ({1}).</translation>
+    </message>
+    <message>
         <source>The outline of {0} is not closed at X{1} Y{2}.</source>
         <translation>Der Umriss von {0} ist bei X{1} Y{2} nicht geschlossen.</translation>
     </message>
@@ -1149,6 +1181,14 @@
     <message>
         <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
         <translation>Der Pfad wurde erzeugt, führe aber bei {at} {0} mm durch stehendes Material, wo er nicht schneiden soll; er wird nicht ausgegeben.</translation>
+    </message>
+    <message>
+        <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>
+        <translation>Die Tasche bei {at} wird mit {0} statt {1} gefräst: Der verlangte Pfad bestand die Prüfung nicht.</translation>
+    </message>
+    <message>
+        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: the path asked for failed its proof.</source>
+        <translation>Die Tasche bei {at} wird mit {0} statt {1} mm seitlicher Zustellung gefräst: Der verlangte Pfad bestand die Prüfung nicht.</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>
@@ -1225,6 +1265,10 @@
     <message>
         <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
         <translation>Die Wand der Tasche um {at} ist für die Zentrale Spirale zu zackig.</translation>
+    </message>
+    <message>
+        <source>The walls' outline at Z{0} is not closed at {at}.</source>
+        <translation>Der Umriss der Wände bei Z{0} ist bei {at} nicht geschlossen.</translation>
     </message>
     <message>
         <source>The {0} is not a number.</source>

@@ -671,6 +671,10 @@
         <translation>En Z{0} la cajera queda bajo una pared.</translation>
     </message>
     <message>
+        <source>At a helix angle of {0} degrees the cutter goes round more than {1} times on its way down.</source>
+        <translation>Con un ángulo de hélice de {0} grados la fresa da más de {1} vueltas al bajar.</translation>
+    </message>
+    <message>
         <source>At {at} the cutter cuts {0} mm into the wall.</source>
         <translation>En {at} la fresa corta {0} mm en la pared.</translation>
     </message>
@@ -685,6 +689,10 @@
     <message>
         <source>Central Spiral needs a pocket whose whole wall can be seen from one place in its middle; the one at {at} has walls behind corners.</source>
         <translation>Espiral central necesita una cajera cuya pared se vea entera desde un punto central; la de {at} tiene paredes tras esquinas.</translation>
+    </message>
+    <message>
+        <source>Check the geometry of the part and the job's stock.</source>
+        <translation>Compruebe la geometría de la pieza y del material en bruto del trabajo.</translation>
     </message>
     <message>
         <source>Check the outline for tiny steps, or choose a smaller cutter.</source>
@@ -717,6 +725,10 @@
     <message>
         <source>Choose one with an end mill in it.</source>
         <translation>Elija uno con una fresa plana.</translation>
+    </message>
+    <message>
+        <source>Choose that strategy, or another step-over.</source>
+        <translation>Elija esa estrategia, u otro paso lateral.</translation>
     </message>
     <message>
         <source>Choose the strategy Automatic or Isotherm for this pocket.</source>
@@ -923,6 +935,10 @@
         <translation>Ponga HelixAngle por encima de 0 y por debajo de 90 grados; lo habitual es 5.</translation>
     </message>
     <message>
+        <source>Set HelixAngle above {0} degrees; 5 is usual.</source>
+        <translation>Ponga HelixAngle por encima de {0} grados; lo usual es 5.</translation>
+    </message>
+    <message>
         <source>Set HelixDiameterLimit to 0 for no limit.</source>
         <translation>Ponga HelixDiameterLimit en 0 para no limitar.</translation>
     </message>
@@ -973,6 +989,10 @@
     <message>
         <source>Set StepOver to 100 % or less.</source>
         <translation>Ponga StepOver en 100 % o menos.</translation>
+    </message>
+    <message>
+        <source>Set StepOver to {0}, or a smaller one.</source>
+        <translation>Ponga StepOver en {0}, o menos.</translation>
     </message>
     <message>
         <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
@@ -1033,6 +1053,10 @@
     <message>
         <source>Take a larger step-over or the strategy Automatic.</source>
         <translation>Tome un paso lateral mayor o la estrategia Automático.</translation>
+    </message>
+    <message>
+        <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
+        <translation>Use un avance menor o un SlotBite menor si es demasiado para la fresa.</translation>
     </message>
     <message>
         <source>Take a smaller cutter or the strategy Automatic.</source>
@@ -1131,6 +1155,14 @@
         <translation>El contorno de {0} se cruza a sí mismo.</translation>
     </message>
     <message>
+        <source>The outline of {0} has points at infinity.</source>
+        <translation>El contorno ({0}) tiene puntos en el infinito.</translation>
+    </message>
+    <message>
+        <source>The outline of {0} is broken ({1}).</source>
+        <translation>El contorno ({0}) está roto ({1}).</translation>
+    </message>
+    <message>
         <source>The outline of {0} is not closed at X{1} Y{2}.</source>
         <translation>El contorno de {0} no está cerrado en X{1} Y{2}.</translation>
     </message>
@@ -1149,6 +1181,14 @@
     <message>
         <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
         <translation>La trayectoria se hizo, pero en {at} atravesaría {0} mm de material donde no debe cortar; no se entrega.</translation>
+    </message>
+    <message>
+        <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>
+        <translation>La cajera en {at} se corta con {0} en lugar de {1}: la trayectoria pedida no superó la comprobación.</translation>
+    </message>
+    <message>
+        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: the path asked for failed its proof.</source>
+        <translation>La cajera en {at} se corta con un paso lateral de {0} mm en lugar de {1} mm: la trayectoria pedida no superó la comprobación.</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>
@@ -1225,6 +1265,10 @@
     <message>
         <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
         <translation>La pared de la cajera cerca de {at} es demasiado dentada para Espiral central.</translation>
+    </message>
+    <message>
+        <source>The walls' outline at Z{0} is not closed at {at}.</source>
+        <translation>El contorno de las paredes en Z{0} no está cerrado en {at}.</translation>
     </message>
     <message>
         <source>The {0} is not a number.</source>

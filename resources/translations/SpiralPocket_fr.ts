@@ -671,6 +671,10 @@
         <translation>À Z{0} la poche passe sous une paroi.</translation>
     </message>
     <message>
+        <source>At a helix angle of {0} degrees the cutter goes round more than {1} times on its way down.</source>
+        <translation>Avec un angle d'hélice de {0} degrés, la fraise fait plus de {1} tours pour descendre.</translation>
+    </message>
+    <message>
         <source>At {at} the cutter cuts {0} mm into the wall.</source>
         <translation>En {at} la fraise entame la paroi de {0} mm.</translation>
     </message>
@@ -685,6 +689,10 @@
     <message>
         <source>Central Spiral needs a pocket whose whole wall can be seen from one place in its middle; the one at {at} has walls behind corners.</source>
         <translation>La Spirale centrale demande une poche dont toute la paroi se voit d'un point central ; celle en {at} a des parois cachées derrière des coins.</translation>
+    </message>
+    <message>
+        <source>Check the geometry of the part and the job's stock.</source>
+        <translation>Vérifiez la géométrie de la pièce et du brut de la tâche.</translation>
     </message>
     <message>
         <source>Check the outline for tiny steps, or choose a smaller cutter.</source>
@@ -717,6 +725,10 @@
     <message>
         <source>Choose one with an end mill in it.</source>
         <translation>Choisissez-en un avec une fraise deux tailles.</translation>
+    </message>
+    <message>
+        <source>Choose that strategy, or another step-over.</source>
+        <translation>Choisissez cette stratégie, ou un autre pas latéral.</translation>
     </message>
     <message>
         <source>Choose the strategy Automatic or Isotherm for this pocket.</source>
@@ -923,6 +935,10 @@
         <translation>Réglez HelixAngle au-dessus de 0 et au-dessous de 90 degrés ; 5 est habituel.</translation>
     </message>
     <message>
+        <source>Set HelixAngle above {0} degrees; 5 is usual.</source>
+        <translation>Réglez HelixAngle au-dessus de {0} degrés ; 5 est usuel.</translation>
+    </message>
+    <message>
         <source>Set HelixDiameterLimit to 0 for no limit.</source>
         <translation>Mettez HelixDiameterLimit à 0 pour aucune limite.</translation>
     </message>
@@ -973,6 +989,10 @@
     <message>
         <source>Set StepOver to 100 % or less.</source>
         <translation>Mettez StepOver à 100 % ou moins.</translation>
+    </message>
+    <message>
+        <source>Set StepOver to {0}, or a smaller one.</source>
+        <translation>Réglez StepOver à {0}, ou moins.</translation>
     </message>
     <message>
         <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
@@ -1033,6 +1053,10 @@
     <message>
         <source>Take a larger step-over or the strategy Automatic.</source>
         <translation>Prenez un pas plus grand ou la stratégie Automatique.</translation>
+    </message>
+    <message>
+        <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
+        <translation>Prenez une avance plus faible ou un SlotBite plus petit si c'est trop pour la fraise.</translation>
     </message>
     <message>
         <source>Take a smaller cutter or the strategy Automatic.</source>
@@ -1131,6 +1155,14 @@
         <translation>Le contour de {0} se croise.</translation>
     </message>
     <message>
+        <source>The outline of {0} has points at infinity.</source>
+        <translation>Le contour ({0}) a des points à l'infini.</translation>
+    </message>
+    <message>
+        <source>The outline of {0} is broken ({1}).</source>
+        <translation>Le contour ({0}) est défectueux ({1}).</translation>
+    </message>
+    <message>
         <source>The outline of {0} is not closed at X{1} Y{2}.</source>
         <translation>Le contour de {0} n'est pas fermé en X{1} Y{2}.</translation>
     </message>
@@ -1149,6 +1181,14 @@
     <message>
         <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
         <translation>Le parcours a été fait, mais traverserait en {at} {0} mm de matière là où il ne doit pas couper ; il n'est pas remis.</translation>
+    </message>
+    <message>
+        <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>
+        <translation>La poche en {at} est usinée avec {0} au lieu de {1} : le parcours demandé n'a pas passé la vérification.</translation>
+    </message>
+    <message>
+        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: the path asked for failed its proof.</source>
+        <translation>La poche en {at} est usinée avec un pas latéral de {0} mm au lieu de {1} mm : le parcours demandé n'a pas passé la vérification.</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>
@@ -1225,6 +1265,10 @@
     <message>
         <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
         <translation>La paroi de la poche vers {at} est trop dentelée pour la Spirale centrale.</translation>
+    </message>
+    <message>
+        <source>The walls' outline at Z{0} is not closed at {at}.</source>
+        <translation>Le contour des parois à Z{0} n'est pas fermé en {at}.</translation>
     </message>
     <message>
         <source>The {0} is not a number.</source>

@@ -671,6 +671,10 @@
         <translation>在 Z{0} 处型腔伸到侧壁下方。</translation>
     </message>
     <message>
+        <source>At a helix angle of {0} degrees the cutter goes round more than {1} times on its way down.</source>
+        <translation>螺旋角为 {0} 度时，刀具下刀要绕 {1} 圈以上。</translation>
+    </message>
+    <message>
         <source>At {at} the cutter cuts {0} mm into the wall.</source>
         <translation>在 {at} 处刀具切入侧壁 {0} mm。</translation>
     </message>
@@ -685,6 +689,10 @@
     <message>
         <source>Central Spiral needs a pocket whose whole wall can be seen from one place in its middle; the one at {at} has walls behind corners.</source>
         <translation>“中心螺线”要求从中部一点能看到整个侧壁；{at} 处的型腔有被拐角遮挡的侧壁。</translation>
+    </message>
+    <message>
+        <source>Check the geometry of the part and the job's stock.</source>
+        <translation>请检查零件和任务毛坯的几何形状。</translation>
     </message>
     <message>
         <source>Check the outline for tiny steps, or choose a smaller cutter.</source>
@@ -717,6 +725,10 @@
     <message>
         <source>Choose one with an end mill in it.</source>
         <translation>请选择装有立铣刀的。</translation>
+    </message>
+    <message>
+        <source>Choose that strategy, or another step-over.</source>
+        <translation>请选择该策略，或使用其他步距。</translation>
     </message>
     <message>
         <source>Choose the strategy Automatic or Isotherm for this pocket.</source>
@@ -923,6 +935,10 @@
         <translation>请将 HelixAngle 设为大于 0 且小于 90 度；通常为 5。</translation>
     </message>
     <message>
+        <source>Set HelixAngle above {0} degrees; 5 is usual.</source>
+        <translation>请将 HelixAngle 设为大于 {0} 度；通常为 5。</translation>
+    </message>
+    <message>
         <source>Set HelixDiameterLimit to 0 for no limit.</source>
         <translation>将 HelixDiameterLimit 设为 0 表示不限制。</translation>
     </message>
@@ -973,6 +989,10 @@
     <message>
         <source>Set StepOver to 100 % or less.</source>
         <translation>将 StepOver 设为 100 % 或以下。</translation>
+    </message>
+    <message>
+        <source>Set StepOver to {0}, or a smaller one.</source>
+        <translation>请将 StepOver 设为 {0} 或更小。</translation>
     </message>
     <message>
         <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
@@ -1033,6 +1053,10 @@
     <message>
         <source>Take a larger step-over or the strategy Automatic.</source>
         <translation>请用更大的步距或“自动”策略。</translation>
+    </message>
+    <message>
+        <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
+        <translation>若对刀具负荷过大，请降低进给或减小 SlotBite。</translation>
     </message>
     <message>
         <source>Take a smaller cutter or the strategy Automatic.</source>
@@ -1131,6 +1155,14 @@
         <translation>{0} 的轮廓自交。</translation>
     </message>
     <message>
+        <source>The outline of {0} has points at infinity.</source>
+        <translation>轮廓（{0}）含有无穷远的点。</translation>
+    </message>
+    <message>
+        <source>The outline of {0} is broken ({1}).</source>
+        <translation>轮廓（{0}）已损坏（{1}）。</translation>
+    </message>
+    <message>
         <source>The outline of {0} is not closed at X{1} Y{2}.</source>
         <translation>{0} 的轮廓在 X{1} Y{2} 处未闭合。</translation>
     </message>
@@ -1149,6 +1181,14 @@
     <message>
         <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
         <translation>刀路已生成，但在 {at} 处会在不应切削的地方穿过 {0} mm 残余材料；不予输出。</translation>
+    </message>
+    <message>
+        <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>
+        <translation>{at} 处的型腔改用 {0} 而非 {1} 切削：所要求的路径未通过验证。</translation>
+    </message>
+    <message>
+        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: the path asked for failed its proof.</source>
+        <translation>{at} 处的型腔以 {0} mm 而非 {1} mm 的步距切削：所要求的路径未通过验证。</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>
@@ -1225,6 +1265,10 @@
     <message>
         <source>The wall of the pocket about {at} is too jagged for Central Spiral.</source>
         <translation>{at} 附近的型腔侧壁过于参差，不适用“中心螺线”。</translation>
+    </message>
+    <message>
+        <source>The walls' outline at Z{0} is not closed at {at}.</source>
+        <translation>Z{0} 处壁面的轮廓在 {at} 未闭合。</translation>
     </message>
     <message>
         <source>The {0} is not a number.</source>

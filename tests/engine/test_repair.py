@@ -139,7 +139,7 @@ def test_what_fails_at_every_stepover_is_planned_by_the_other_strategy(use):
     assert made.report.link_hit == made.report.rapid_hit == 0.0
     assert len(made.curves) == 1
     (told,) = [n for n in made.report.notices if "failed its proof" in n.message]
-    assert "strategy Linear Morph instead of Automatic" in told.message
+    assert "is cut by Linear Morph instead of Automatic" in told.message
 
 
 def test_what_stays_in_stock_is_refused_with_its_place(use):
