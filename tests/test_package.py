@@ -117,6 +117,13 @@ def test_package_import_is_light():
     assert not {"numpy", "scipy", "shapely"} & modules
 
 
+def test_records_load_without_shapely():
+    # documents can be opened where it is missing
+    modules, _ = modules_after(f"from {OURS}.engine import errors, machine, model, toolpath")
+    assert "numpy" in modules
+    assert not {"scipy", "shapely"} & modules
+
+
 def test_automatic_does_without_scipy():
     # to load it takes as long as to plan a small pocket
     modules, _ = modules_after(

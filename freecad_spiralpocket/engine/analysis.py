@@ -14,7 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from .model import Floats
-from .polyline import three_point_curvature
+from .points import three_point_curvature
 from .stations import Measured, ends_of, stations_of
 from .timing import MachineTime
 from .toolpath import Kind, Toolpath

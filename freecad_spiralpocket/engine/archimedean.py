@@ -22,7 +22,8 @@ from shapely import LineString, Polygon
 
 from .coverable import Center
 from .model import Floats
-from .polyline import points_at, three_point_curvature
+from .points import three_point_curvature
+from .polyline import points_at
 from .shaping import buffer, oriented
 from .strokes import CHORD
 

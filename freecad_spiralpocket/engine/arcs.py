@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .model import Floats
-from .polyline import distances_along
+from .points import distances_along
 
 #: Arcs wider than this are lines [mm].
 WIDEST = 2000.0

@@ -23,7 +23,8 @@ from scipy.ndimage import gaussian_filter1d
 from shapely import LineString, Point, Polygon
 
 from .model import Floats
-from .polyline import distances_along, points_at
+from .points import distances_along
+from .polyline import points_at
 from .region import polygons_of
 from .skeleton import Skeleton, longest_route
 

@@ -23,7 +23,8 @@ from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Plunge, Slot, WayDown
 from .groove import groove_path
 from .model import Entry, Feeds, Floats, PocketRequest
-from .polyline import closed_line, distances_along, points_at
+from .points import distances_along
+from .polyline import closed_line, points_at
 from .toolpath import Role, ToolpathBuilder
 
 #: Radius of the cutter center's circle over R at most: nearly R, and surely no post left.

@@ -18,7 +18,8 @@ from shapely import LineString
 
 from .floor import Groove
 from .model import Floats
-from .polyline import closed_line, distances_along
+from .points import distances_along
+from .polyline import closed_line
 from .spiral import between
 
 #: Chords of half a turn.

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from .model import Floats
-from .polyline import distances_along
+from .points import distances_along
 
 DEGREE = 4
 #: Fewest patches of a closed curve, and most.

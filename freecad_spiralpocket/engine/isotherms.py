@@ -23,8 +23,8 @@ from .dependencies import require
 from .hermite_quartic import ClosedFit
 from .model import Floats, PocketRequest
 from .nested import SPACING, Mover
+from .points import signed_area
 from .poisson import HeatField, solve
-from .polyline import signed_area
 from .region import grow, polygons_of
 from .shaping import oriented
 

@@ -8,7 +8,8 @@ import shapely
 from shapely import LineString, Polygon
 
 from .model import Floats
-from .polyline import distances_along, points_at
+from .points import distances_along
+from .polyline import points_at
 from .shaping import buffer
 
 

@@ -13,7 +13,7 @@ from shapely import LineString, Polygon
 from shapely.ops import substring
 
 from .model import Floats
-from .polyline import distances_along
+from .points import distances_along
 
 #: Radius of the arc that leaves the wall, over R; halved until it fits.
 LEAVE_RADIUS = 0.3

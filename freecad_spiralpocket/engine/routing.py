@@ -18,7 +18,7 @@ from .cleared import ClearedMap
 from .filters import dilated
 from .ground import COARSE, Ground
 from .model import Floats
-from .polyline import three_point_curvature
+from .points import three_point_curvature
 from .spiral import between
 
 #: Longest chord of a link that is tried, and of one that is taken [mm].

@@ -18,7 +18,8 @@ from shapely import LineString, Polygon
 from .filters import evened
 from .model import Floats
 from .nearest import nearest
-from .polyline import distances_along, locate, points_at
+from .points import distances_along
+from .polyline import locate, points_at
 from .shaping import Region
 from .strokes import CHORD, Stroke
 

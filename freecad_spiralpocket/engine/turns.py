@@ -19,7 +19,7 @@ from scipy.spatial import cKDTree
 from shapely import LineString
 
 from .model import Floats
-from .polyline import distances_along
+from .points import distances_along
 
 #: Share of a turn over which the rise of s builds up, and dies away.
 EASE = 0.1

@@ -19,7 +19,7 @@ import shapely
 from shapely import Polygon
 
 from ..engine.errors import GeometryError
-from ..engine.polyline import signed_area
+from ..engine.points import signed_area
 from ..engine.region import polygons_of
 from . import geometry
 from .selection import SAME_HEIGHT

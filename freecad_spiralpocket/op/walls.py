@@ -19,7 +19,7 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
-from ..engine.polyline import signed_area
+from ..engine.points import signed_area
 from ..engine.region import polygons_of
 from . import geometry
 from .open_sides import OpenSides, lines_of

@@ -40,7 +40,8 @@ from ..model import Floats, PocketRequest, Tick
 from ..openings import Opening, open_centers
 from ..ordering import SLACK, Situation, Step, order
 from ..passes import passes_of
-from ..polyline import distances_along, points_at
+from ..points import distances_along
+from ..polyline import points_at
 from ..routing import LongWays
 from ..shaping import largest, oriented
 from ..skeleton import Skeleton, medial_axis
