@@ -91,7 +91,8 @@ def _check_entry(entry: Entry, axial_depth: float) -> None:
         raise RequestError("The slot bite is negative.", "Set SlotBite to 0 to have it found.")
     if axial_depth > MOST_LEVELS * entry.slot_bite > 0:
         raise RequestError(
-            f"With a slot bite of {entry.slot_bite:g} mm a slot has more than {MOST_LEVELS} levels.",
+            f"With a slot bite of {entry.slot_bite:g} mm a slot has more than {MOST_LEVELS} "
+            "levels.",
             "Raise SlotBite, or set it to 0 to have it found.",
         )
     if not entry.max_diameter >= 0:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Sections of faces: their rings close, or the place where one does not is told."""
 
+from itertools import pairwise
+
 import Part
 import pytest
 from FreeCAD import Vector
@@ -18,7 +20,7 @@ def walls_of_a_peg(gap=0.0):
     x, y = PEG
     corners = [(x + gap, y), (x + 10, y), (x + 10, y + 10), (x, y + 10), (x, y)]
     walls = []
-    for (x0, y0), (x1, y1) in zip(corners, corners[1:], strict=False):
+    for (x0, y0), (x1, y1) in pairwise(corners):
         foot = Part.makeLine(Vector(x0, y0, 0), Vector(x1, y1, 0))
         walls.append(foot.extrude(Vector(0, 0, 10)))
     return walls
