@@ -82,8 +82,9 @@ def test_nothing_is_gouged_and_only_the_declared_steps_stay(doc, name, strategy,
     op = cut(doc, shape, z, diameter=diameter, StepDown=step_down, Strategy=strategy)
     (plan,) = op.Proxy.plans
     report, radius = plan.report, op.OpToolDiameter.Value / 2
-    surface, centers = Surface(shape), places(motion(op), 0.5)
-    assert len(gouges(surface, centers[::3], radius, GOUGE)) == 0
+    # round the ledge's corners the center goes on an arc of 1 mm: wider steps leave more there
+    surface, centers = Surface(shape), places(motion(op), 0.3)
+    assert len(gouges(surface, centers[::5], radius, GOUGE)) == 0
     x0, y0, x1, y1 = (plan.request.sections[0].mouth or plan.request.pocket).bounds
     stock = Stock(surface, (x0 - MARGIN, y0 - MARGIN, x1 + MARGIN, y1 + MARGIN), 0.7)
     stock.cut(centers, radius + SCALLOP)
