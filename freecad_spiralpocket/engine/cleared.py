@@ -217,13 +217,10 @@ class ClearedMap:
     def _who_frees(self) -> NDArray[np.int32]:
         """Return which stroke frees each pixel; beside a wall one of those that do."""
         freed_by = np.full(self.free.size, NEVER, np.int32)
-        for beside in (True, False):
-            for stroke, cells in enumerate(self._cells_of):
-                if beside:
-                    around = np.concatenate([cells + step for step in self._beside])
-                    freed_by[around[self._outside[around]]] = stroke
-                else:
-                    freed_by[cells] = stroke
+        for stroke, cells in enumerate(self._cells_of):
+            beside = np.concatenate([cells + step for step in self._beside])
+            freed_by[beside[self._outside[beside]]] = stroke
+            freed_by[cells] = stroke
         freed_by[self.free.ravel()] = START
         return freed_by.reshape(self.shape)
 

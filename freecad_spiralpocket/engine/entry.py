@@ -15,6 +15,7 @@ trochoidal: on machines of ordinary acceleration that is several times faster].
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from shapely import Point, Polygon
@@ -35,6 +36,41 @@ NARROWEST = 0.05
 APPROACH = 0.5
 #: Slopes that differ by less than this share of the ramp's are one.
 SAME_SLOPE = 0.01
+
+
+class NoRoomForHelixError(CutterDoesNotFitError):
+    """The cutter fits, but has no room to go down.
+
+    Parameters
+    ----------
+    cutter_radius, radius, room : float
+        R, radius of the helix that there is room for, and of the cutter's center [mm].
+    place : tuple of float
+        (x, y) [mm].
+    """
+
+    def __init__(
+        self, cutter_radius: float, radius: float, room: float, place: tuple[float, float]
+    ) -> None:
+        super().__init__(
+            f"The {2 * cutter_radius:g} mm cutter fits the pocket, but has no room for its helix "
+            f"at {{at}} (circle of {2 * radius:.3g} mm).",
+            f"Take a cutter below {2 * (cutter_radius + room) / (1 + NARROWEST):.3g} mm, or raise "
+            "HelixDiameterLimit if it is set.",
+            place,
+        )
+        self._sizes = np.array([cutter_radius, radius, room])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Let it be made anew on the other side of a pipe."""
+        return type(self), (*self._sizes.tolist(), self.place)
+
+    def resized(self, factor: float) -> NoRoomForHelixError:
+        """Return the same of a pocket of another size."""
+        assert self.place is not None
+        r, radius, room = (factor * self._sizes).tolist()
+        x, y = self.place
+        return NoRoomForHelixError(r, radius, room, (factor * x, factor * y))
 
 
 def fit_helix_radius(region: Polygon, center: Floats, cutter_radius: float, entry: Entry) -> float:
@@ -60,13 +96,7 @@ def fit_helix_radius(region: Polygon, center: Floats, cutter_radius: float, entr
     if entry.max_diameter > 0:
         radius = min(radius, entry.max_diameter / 2)
     if radius < NARROWEST * cutter_radius:
-        raise CutterDoesNotFitError(
-            f"The {2 * cutter_radius:g} mm cutter fits the pocket, but has no room for its helix "
-            f"at {{at}} (circle of {2 * radius:.3g} mm).",
-            f"Take a cutter below {2 * (cutter_radius + room) / (1 + NARROWEST):.3g} mm, or raise "
-            "HelixDiameterLimit if it is set.",
-            (center[0], center[1]),
-        )
+        raise NoRoomForHelixError(cutter_radius, radius, room, (center[0], center[1]))
     return radius
 
 

@@ -39,6 +39,12 @@ class SpiralPocketError(Exception):
         self.hint = hint
         self.place = None if place is None else (float(place[0]), float(place[1]))
 
+    def resized(self, factor: float) -> SpiralPocketError:
+        """Return the error with all lengths times `factor`; here the place is all."""
+        if self.place is not None:
+            self.place = (factor * self.place[0], factor * self.place[1])
+        return self
+
     @property
     def message(self) -> str:
         """Return what is the matter."""

@@ -37,7 +37,7 @@ def planned_resized(
     """Return a region's path by a strategy, in the size that its lengths are meant for.
 
     A smaller cutter's pocket is planned larger. A larger one's is planned smaller as far as the
-    tolerance is coarser too. Places in errors are those of the pocket.
+    tolerance is coarser too. Lengths and places in errors are those of the pocket.
     """
     factor = max(SIZE / request.cutter_radius, min(1.0, EXACT / request.tolerance))
     if factor == 1.0:
@@ -45,9 +45,7 @@ def planned_resized(
     try:
         path = strategy(resized(region, factor), resized_request(request, factor), tick)
     except SpiralPocketError as error:
-        if error.place is not None:
-            error.place = (error.place[0] / factor, error.place[1] / factor)
-        raise
+        raise error.resized(1.0 / factor) from None
     return resized_path(path, 1.0 / factor)
 
 

@@ -146,6 +146,17 @@ def test_the_smallest_cutters_are_planned_as_any(strategy):
     assert not [n for n in report.notices if "failed its proof" in n.message]
 
 
+@pytest.mark.parametrize("strategy", [Strategy.AUTOMATIC, Strategy.ISOTHERM])
+def test_errors_of_small_cutters_tell_the_sizes_of_the_pocket(strategy):
+    pocket = Point(20, 10).buffer(0.501, quad_segs=64)
+    made = replace(resized_request(make_request(pocket, strategy=strategy), 1.0), tolerance=0.001)
+    made = replace(made, tool_diameter=1.0, cutting=Cutting(0.4))
+    with pytest.raises(CutterDoesNotFitError) as caught:
+        plan(made)
+    assert caught.value.message.startswith("The 1 mm cutter fits the pocket")
+    assert caught.value.place == pytest.approx((20, 10), abs=0.1)
+
+
 def test_all_else_resized_too_the_path_is_the_same():
     made = make_request(L_SHAPE, strategy=Strategy.AUTOMATIC)
     region = center_regions(made.pocket, made.cutter_radius, 0.0)[0]
