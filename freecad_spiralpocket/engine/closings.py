@@ -17,7 +17,7 @@ from shapely import Polygon
 
 from .front_rules import NEW, WIDEST, FrontRules
 from .region import polygons_of
-from .shaping import SLIVER, Region, are_within, buffer, clipped, welded
+from .shaping import SLIVER, Region, are_within, buffer, clipped, grown, holes_of, welded
 
 #: A front goes no farther than the first beyond the last, over R: there the cutter reached over. Or
 #: as far as its widest step where that is farther, up to the second.
@@ -107,8 +107,7 @@ def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
 
 def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRules) -> bool:
     """Return whether surely all that was filled is within reach of `visited`; quick."""
-    holes = [sum(len(p.interiors) for p in polygons_of(shape)) for shape in (closed, moved)]
-    if holes[0] < holes[1]:
+    if holes_of(closed) < holes_of(moved):
         return False
     reach = _reach(rules)
     if not are_within(visited, shapely.get_coordinates(closed), reach).all():
@@ -117,7 +116,7 @@ def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRul
     if moved.length - closed.length < ARM * rules.cutter_radius:
         return True
     fills = shapely.difference(closed, moved)
-    return bool(shapely.difference(fills, buffer(visited, reach)).area < SLIVER)
+    return bool(shapely.difference(fills, grown(visited, reach)).area < SLIVER)
 
 
 def _reach(rules: FrontRules) -> float:

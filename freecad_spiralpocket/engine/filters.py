@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Filters along a row of values: even out, spread the largest or the smallest.
+"""Filters along a row of values: even out, spread the largest or the smallest; rasters.
 
 What scipy.ndimage does, in numpy: loading scipy takes as long as planning a small pocket.
 """
@@ -57,6 +57,36 @@ def dilated(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
     grown[:, 1:] |= mask[:, :-1]
     grown[:, :-1] |= mask[:, 1:]
     return grown
+
+
+def patches_of(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Return a number for each pixel of a raster's mask, the same where they hang together.
+
+    Pixels that touch at a corner do. -1 outside of the mask.
+    """
+    rows, columns = mask.shape
+    width = columns + 2
+    flat = np.pad(mask, ((0, 0), (1, 1))).ravel()
+    change = np.flatnonzero(flat[1:] != flat[:-1]) + 1
+    begin, end = change[::2], change[1::2]
+    # each run of a row, with those of the next row that touch it
+    first = np.searchsorted(end, begin + width)
+    count = np.maximum(np.searchsorted(begin, end + width, "right") - first, 0)
+    here = np.repeat(np.arange(len(begin)), count)
+    below = np.arange(len(here)) + np.repeat(first - np.cumsum(count) + count, count)
+    patch = np.arange(len(begin))
+    while True:
+        least = np.minimum(patch[here], patch[below])
+        lower = patch.copy()
+        np.minimum.at(lower, patch[here], least)
+        np.minimum.at(lower, patch[below], least)
+        lower = lower[lower]
+        if np.array_equal(lower, patch):
+            break
+        patch = lower
+    numbers = np.full(flat.shape, -1, np.intp)
+    numbers[flat] = np.repeat(patch, end - begin)
+    return numbers.reshape(rows, width)[:, 1:-1]
 
 
 def _continued(values: Floats, reach: int, closed: bool) -> Floats:

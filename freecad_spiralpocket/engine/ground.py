@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .cleared import ClearedMap
-from .filters import dilated
+from .filters import dilated, patches_of
 from .model import Floats
 
 #: Raster pixels to a cell of the coarse grid.
@@ -40,6 +40,9 @@ class Ground:
         Where all ways begin [mm].
     coarse : int
         Raster pixels to a cell: what is narrower than that is no way.
+    hopeful : bool
+        Open is each cell with a free pixel, and one step is as good as another: where such ground
+        has no way none has one, and no way is much shorter than those over it.
     """
 
     def __init__(
@@ -48,17 +51,22 @@ class Ground:
         free: NDArray[np.bool_],
         start: Floats,
         coarse: int = COARSE,
+        *,
+        hopeful: bool = False,
     ) -> None:
         rows, columns = (n // coarse for n in free.shape)
         blocks = free[: rows * coarse, : columns * coarse].reshape(rows, coarse, columns, coarse)
         # closed all around, so that no step leads over the edge
-        self._open = np.pad(blocks.all(axis=(1, 3)), 1)
+        self._open = np.pad((blocks.any if hopeful else blocks.all)(axis=(1, 3)), 1)
         self._size = coarse * cleared.pixel
         self._origin = cleared.origin - self._size
         self._start = start
         self._source = self._cell(start)
-        self._tolls = _tolls(self._open).ravel().tolist()
-        self._connected: bytearray | None = None
+        self._dearest = LEAST_TOLL if hopeful else 1.0 + EDGE_TOLL
+        off = np.where(self._open, float(OFF), 0.0) if hopeful else _cells_off(self._open)
+        with np.errstate(divide="ignore"):
+            self._tolls = (EDGE_TOLL / off).ravel().tolist()
+        self._patches: list[int] | None = None
 
     def way_to(self, end: Floats, longest: float = math.inf) -> Floats | None:
         """Return the shortest way to a place, shape (n, 2) [mm].
@@ -68,7 +76,11 @@ class Ground:
         target = self._cell(end)
         if self._source is None or target is None:
             return None
-        path = self._cheapest(self._source, target, (1.0 + EDGE_TOLL) * longest / self._size)
+        if self._patches is None:
+            self._patches = patches_of(self._open).ravel().tolist()
+        if self._patches[self._source] != self._patches[target]:
+            return None
+        path = self._cheapest(self._source, target, self._dearest * longest / self._size)
         if path is None:
             return None
         row, column = np.divmod(path, self._open.shape[1])
@@ -80,8 +92,6 @@ class Ground:
 
         A*, with the distance as the crow flies for what lies ahead.
         """
-        if self._connected is not None and not self._connected[target]:
-            return None
         rows, columns = self._open.shape
         rows_off = (np.arange(rows) - target // columns)[:, None]
         off = np.hypot(rows_off, np.arange(columns) - target % columns)
@@ -113,8 +123,6 @@ class Ground:
                     gone[other] = cost
                     before[other] = cell
                     heapq.heappush(heap, (cost + ahead[other], other))
-        # all that can be reached has been looked at
-        self._connected = done
         return None
 
     def _cell(self, place: Floats) -> int | None:
@@ -128,17 +136,14 @@ class Ground:
         return int((r[k] + r0) * self._open.shape[1] + c[k] + c0)
 
 
-def _tolls(open_: NDArray[np.bool_]) -> Floats:
-    """Return by how much longer a step into each cell counts than it is; infinite where closed.
+def _cells_off(open_: NDArray[np.bool_]) -> Floats:
+    """Return how many cells each is off the edge of free ground, at most `OFF`; 0 where closed.
 
-    Keeping off the edge of free ground is worth a little; farther from it than `OFF` cells
-    nothing is gained any more.
+    Keeping off that edge is worth a little; farther from it nothing is gained any more.
     """
     off = np.zeros(open_.shape)
     closed = ~open_
     for _ in range(OFF):
         off += ~closed
         closed = dilated(closed)
-    toll = np.full(open_.shape, np.inf)
-    toll[open_] = EDGE_TOLL / off[open_]
-    return toll
+    return off

@@ -122,7 +122,10 @@ def unreachable_notices(
     target = grow(pocket, -stock) if stock else pocket
     reached = grow(MultiPolygon(regions), cutter_radius)
     notices = []
+    least = math.pi * (TOLD_SHARE * cutter_radius) ** 2
     for piece in polygons_of(shapely.difference(target, reached)):
+        if piece.area < least:  # no such disc fits
+            continue
         place, radius = widest_disc(piece)
         if radius > TOLD_SHARE * cutter_radius:
             notices.append(

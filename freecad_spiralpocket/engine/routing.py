@@ -28,6 +28,8 @@ SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5, 0.3)
 #: A way is looked for nearer to what stands where it is longer than so much times the straight one
 #: and D, and taken if it is shorter than this share of the one before.
 DETOUR, SHORTER = 2.0, 0.7
+#: From middle to middle of coarse cells a way may be so many of them longer than it is.
+HOPE = 3
 #: How far the loops go that turn round, over R.
 TURNS = (0.5, 1.0)
 #: What is nearer than this to the slot that the entry cut is on it [mm].
@@ -63,6 +65,7 @@ class LongWays:
         self._start, self._heading, self._cleared, self._fence = start, heading, cleared, fence
         self._radius, self._least_radius = radius, least_radius
         self._grounds: list[Ground] = []
+        self._hopeful: Ground | None = None
 
     def to(self, end: Floats, arriving: Floats) -> Floats | None:
         """Return a smooth way, shape (n, 2) [mm]; None if there is none.
@@ -84,7 +87,16 @@ class LongWays:
             # nearer to what stands there may be a way through
             if longest < SHORTER * (DETOUR * straight + 2 * self._radius):
                 break
+            if best is not None and not self._may_be_shorter(end, longest):
+                break
         return best
+
+    def _may_be_shorter(self, end: Floats, longest: float) -> bool:
+        """Return whether there may be a way shorter than `longest` [mm] on any ground; quick."""
+        if self._hopeful is None:
+            self._hopeful = Ground(self._cleared, self._cleared.near, self._start, hopeful=True)
+        slack = HOPE * COARSE * self._cleared.pixel
+        return self._hopeful.way_to(end, longest + slack) is not None
 
     def _all_grounds(self) -> Iterator[Ground]:
         """Yield ground well off what stands, all free ground, that up to its very edge, and finer.

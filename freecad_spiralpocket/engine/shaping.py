@@ -50,14 +50,20 @@ def are_within(shape: Region, points: Floats, distance: float) -> NDArray[np.boo
     The same region is asked again and again, about hundreds of points: looking them up in the grown
     region takes a fifth of the time of measuring each.
     """
-    return np.asarray(shapely.contains_xy(_prepared(shape, distance), points))
+    return np.asarray(shapely.contains_xy(grown(shape, distance), points))
 
 
 @lru_cache(maxsize=16)
-def _prepared(shape: Region, distance: float) -> Region:
-    grown = buffer(shape, distance)
-    shapely.prepare(grown)
-    return grown
+def grown(shape: Region, distance: float) -> Region:
+    """Return a region grown as by `buffer`, prepared for being asked again and again."""
+    wider = buffer(shape, distance)
+    shapely.prepare(wider)
+    return wider
+
+
+def holes_of(shape: Region) -> int:
+    """Return how many holes a region has."""
+    return int(shapely.get_num_interior_rings(shapely.get_parts(shape)).sum())
 
 
 def welded(shapes: Sequence[Region]) -> Region:

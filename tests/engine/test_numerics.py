@@ -13,7 +13,7 @@ from scipy.sparse.csgraph import dijkstra, minimum_spanning_tree
 from scipy.spatial import cKDTree
 from shapely import LineString, MultiPoint
 
-from freecad_spiralpocket.engine.filters import dilated, evened, highest, lowest
+from freecad_spiralpocket.engine.filters import dilated, evened, highest, lowest, patches_of
 from freecad_spiralpocket.engine.graphs import delaunay_triangles, shortest_paths, spanning_tree
 from freecad_spiralpocket.engine.nearest import nearest
 from freecad_spiralpocket.engine.polyline import locate
@@ -46,6 +46,17 @@ def test_highest_and_lowest(count, width):
 def test_dilated_adds_four_neighbors():
     mask = RANDOM.random((40, 30)) < 0.1
     np.testing.assert_array_equal(dilated(mask), ndimage.binary_dilation(mask))
+
+
+@pytest.mark.parametrize("share", [0.0, 0.2, 0.4, 0.6, 1.0])
+def test_patches_are_those_that_hang_together(share):
+    for rows, columns in ((1, 1), (1, 9), (9, 1), (40, 30), (60, 61)):
+        mask = RANDOM.random((rows, columns)) < share
+        patches = patches_of(mask)
+        expected, count = ndimage.label(mask, np.ones((3, 3)))
+        np.testing.assert_array_equal(patches >= 0, mask)
+        pairs = {*zip(patches[mask].tolist(), expected[mask].tolist(), strict=True)}
+        assert len(pairs) == count == len({patch for patch, _ in pairs})
 
 
 @pytest.mark.parametrize("points", [1, 2, 300])
