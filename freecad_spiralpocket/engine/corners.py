@@ -14,7 +14,7 @@ from shapely import Polygon
 
 from .front_rules import FrontRules
 from .fronts import MAX_FRONTS
-from .shaping import SLIVER, Region, are_within, buffer, largest, oriented, thick_parts
+from .shaping import SLIVER, Region, are_within, buffer, clipped, largest, oriented, thick_parts
 
 #: Fillet radii tried in the corners, over R; the smallest whose bite keeps below a share of the
 #: step-over is taken at once.
@@ -26,6 +26,8 @@ ROUND_BITES, SHARP_BITES = (0.65, 0.65), (0.5, 0.5)
 LAST = 0.98
 #: A corner is sharp if the first of the fillets leaves more than this of it, over R.
 SHARP = 0.03
+#: What is farther from a corner does not matter there [mm].
+AROUND = 0.1
 
 
 def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Iterator[Polygon]:
@@ -58,8 +60,10 @@ def _corner_step(
     sharp = not shapely.dwithin(opened[1], tips, SHARP * rules.cutter_radius).all()
     bite, last = SHARP_BITES if sharp else ROUND_BITES
     taken: Region = piece
+    x0, y0, x1, y1 = piece.bounds
+    around = x0 - AROUND, y0 - AROUND, x1 + AROUND, y1 + AROUND
     for share, shape in zip(CORNER_FILLETS, opened, strict=True):
-        taken = piece if share == 0 else shapely.intersection(shape, piece)
+        taken = piece if share == 0 else shapely.intersection(clipped(shape, around), piece)
         # a fillet tighter than the corner itself leaves nothing for another stroke
         is_last = taken.area > LAST * piece.area
         limit = (last if is_last else bite) * rules.stepover
