@@ -62,16 +62,13 @@ def _closed(
         return moved
     radius = shares[0] * rules.closing
     closed = buffer(buffer(moved, radius), -radius)
-    if _is_reached(closed, moved, visited, rules):
-        return closed
-    fills = shapely.get_parts(shapely.difference(closed, moved))
-    fills = fills[shapely.area(fills) > SLIVER]
+    fills = _doubtful_fills(closed, moved, visited, rules)
     if len(fills) == 0:
         return closed
     edges = _new_edges(fills, moved)
     # only a plug's corners: elsewhere strokes, not laps, would have to take so much
     corner = (edges == 1) & shapely.contains_properly(Polygon(visited.exterior), fills)
-    edge = shapely.intersection(closed, omega).boundary
+    edge = shapely.intersection(closed, omega).boundary if corner.any() else None
     far = fills[_are_beyond(fills, corner, edges == 0, visited, edge, rules)]
     if len(far) == 0:
         return closed
@@ -105,18 +102,22 @@ def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
     return welded([buffer(buffer(closed, -radius), radius), moved])
 
 
-def _is_reached(closed: Region, moved: Region, visited: Polygon, rules: FrontRules) -> bool:
-    """Return whether surely all that was filled is within reach of `visited`; quick."""
-    if holes_of(closed) < holes_of(moved):
-        return False
+def _doubtful_fills(
+    closed: Region, moved: Region, visited: Polygon, rules: FrontRules
+) -> NDArray[np.object_]:
+    """Return what was filled; none if surely all of it is within reach of `visited`."""
     reach = _reach(rules)
-    if not are_within(visited, shapely.get_coordinates(closed), reach).all():
-        return False
+    is_near = holes_of(closed) >= holes_of(moved) and bool(
+        are_within(visited, shapely.get_coordinates(closed), reach).all()
+    )
     # an arm that was filled has no edge left that would tell
-    if moved.length - closed.length < ARM * rules.cutter_radius:
-        return True
-    fills = shapely.difference(closed, moved)
-    return bool(shapely.difference(fills, grown(visited, reach)).area < SLIVER)
+    if is_near and moved.length - closed.length < ARM * rules.cutter_radius:
+        return np.empty(0, object)
+    difference = shapely.difference(closed, moved)
+    if is_near and shapely.difference(difference, grown(visited, reach)).area < SLIVER:
+        return np.empty(0, object)
+    fills = shapely.get_parts(difference)
+    return fills[shapely.area(fills) > SLIVER]
 
 
 def _reach(rules: FrontRules) -> float:
@@ -142,12 +143,12 @@ def _are_beyond(
     corner: NDArray[np.bool_],
     closing: NDArray[np.bool_],
     visited: Polygon,
-    edge: Region,
+    edge: shapely.Geometry | None,
     rules: FrontRules,
 ) -> NDArray[np.bool_]:
     """Return which fills the cutter does not clear wholly.
 
-    It goes round `visited`, and where a `corner` is rounded then along its new edge.
+    It goes round `visited`, and where a `corner` is rounded then along its new `edge`.
     """
     reach = _reach(rules)
     coords, of = shapely.get_coordinates(fills, return_index=True)
