@@ -33,11 +33,13 @@ from freecad_spiralpocket.engine.estimates import motion_of
 from freecad_spiralpocket.engine.findings import TOUCH
 from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
 from freecad_spiralpocket.engine.fronts import advance
+from freecad_spiralpocket.engine.ground import COARSE, Ground
 from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.routing import LongWays, tightest_bend
+from freecad_spiralpocket.engine.routing import HOPE, LongWays, tightest_bend
+from freecad_spiralpocket.engine.shaping import largest
 from freecad_spiralpocket.engine.sizes import (
     planned_resized,
     resized,
@@ -308,3 +310,24 @@ def test_a_way_round_the_tip_of_what_stands_is_found(off, half, gap):
     way = LongWays(start, heading, cleared, room.buffer(0.003), 3.0, 0.36).to(end, -heading)
     assert way is not None
     assert not LineString(way).intersects(wedge.buffer(-0.25))
+
+
+@pytest.mark.parametrize("gap", [0.1, 0.6, 2.0])
+@pytest.mark.parametrize("seed", range(4))
+def test_hopeful_ground_knows_of_every_way(gap, seed):
+    random = np.random.default_rng(seed)
+    posts = [Point(x, y).buffer(random.uniform(2, 7)) for x, y in random.uniform(5, 55, (30, 2))]
+    gate = random.uniform(5, 50)
+    wall = [box(29, 0, 31, gate), box(29, gate + gap, 31, 60)]
+    ground = largest(box(0, 0, 60, 60).difference(shapely.union_all([*posts, *wall])))
+    start, *ends = random.uniform(2, 58, (9, 2))
+    cleared = ClearedMap([orient(ground)], [], box(0, 0, 60, 60), [], 3.0, 0.25)
+    hopeful = Ground(cleared, cleared.near, start, hopeful=True)
+    for free, coarse in ((cleared.free, COARSE), (cleared.near, COARSE), (cleared.free, 1)):
+        for end in ends:
+            way = Ground(cleared, free, start, coarse).way_to(end)
+            if way is not None:
+                least = hopeful.way_to(end)
+                assert least is not None
+                slack = HOPE * COARSE * cleared.pixel
+                assert LineString(least).length < LineString(way).length + slack
