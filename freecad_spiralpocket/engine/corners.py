@@ -8,6 +8,7 @@ smallest fillet whose bite the engagement allows, the last into the corner itsel
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 
 import shapely
 from shapely import Polygon
@@ -32,18 +33,12 @@ AROUND = 0.1
 
 def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Iterator[Polygon]:
     """Yield the levels that take the corners, each in as few steps as the limit allows."""
-    opened = [
-        omega
-        if share == 0
-        else buffer(buffer(omega, -share * rules.cutter_radius), share * rules.cutter_radius)
-        for share in CORNER_FILLETS
-    ]
     for _ in range(MAX_FRONTS):
         rest = thick_parts(shapely.difference(omega, visited))
         if len(rest) == 0:
             return
         shapely.prepare(visited)
-        pieces = [_corner_step(piece, visited, opened, rules) for piece in rest]
+        pieces = [_corner_step(piece, visited, omega, rules) for piece in rest]
         grown = shapely.union_all([visited, *pieces])
         grown = oriented(largest(buffer(buffer(grown, 1e-4), -1e-4)))
         if grown.area - visited.area < 1e-4:
@@ -52,18 +47,25 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Itera
         visited = grown
 
 
-def _corner_step(
-    piece: Polygon, visited: Polygon, opened: list[Region], rules: FrontRules
-) -> Region:
+@lru_cache(maxsize=2 * len(CORNER_FILLETS))
+def _filleted(omega: Polygon, radius: float) -> Region:
+    """Return a region with its corners rounded by a radius [mm]."""
+    return buffer(buffer(omega, -radius), radius)
+
+
+def _corner_step(piece: Polygon, visited: Polygon, omega: Polygon, rules: FrontRules) -> Region:
     """Return the part of a corner that the next stroke takes."""
     tips = shapely.points(shapely.get_coordinates(piece))
-    sharp = not shapely.dwithin(opened[1], tips, SHARP * rules.cutter_radius).all()
+    rounded = _filleted(omega, CORNER_FILLETS[1] * rules.cutter_radius)
+    sharp = not shapely.dwithin(rounded, tips, SHARP * rules.cutter_radius).all()
     bite, last = SHARP_BITES if sharp else ROUND_BITES
     taken: Region = piece
     x0, y0, x1, y1 = piece.bounds
     around = x0 - AROUND, y0 - AROUND, x1 + AROUND, y1 + AROUND
-    for share, shape in zip(CORNER_FILLETS, opened, strict=True):
-        taken = piece if share == 0 else shapely.intersection(clipped(shape, around), piece)
+    for share in CORNER_FILLETS:
+        if share > 0:
+            shape = _filleted(omega, share * rules.cutter_radius)
+            taken = shapely.intersection(clipped(shape, around), piece)
         # a fillet tighter than the corner itself leaves nothing for another stroke
         is_last = taken.area > LAST * piece.area
         limit = (last if is_last else bite) * rules.stepover

@@ -62,11 +62,9 @@ class Ground:
         self._origin = cleared.origin - self._size
         self._start = start
         self._source = self._cell(start)
-        self._dearest = LEAST_TOLL if hopeful else 1.0 + EDGE_TOLL
-        off = np.where(self._open, float(OFF), 0.0) if hopeful else _cells_off(self._open)
-        with np.errstate(divide="ignore"):
-            self._tolls = (EDGE_TOLL / off).ravel().tolist()
-        self._patches: list[int] | None = None
+        self._hopeful = hopeful
+        self._patches: NDArray[np.intp] | None = None
+        self._tolls: list[float] | None = None
 
     def way_to(self, end: Floats, longest: float = math.inf) -> Floats | None:
         """Return the shortest way to a place, shape (n, 2) [mm].
@@ -77,10 +75,11 @@ class Ground:
         if self._source is None or target is None:
             return None
         if self._patches is None:
-            self._patches = patches_of(self._open).ravel().tolist()
+            self._patches = patches_of(self._open).ravel()
         if self._patches[self._source] != self._patches[target]:
             return None
-        path = self._cheapest(self._source, target, self._dearest * longest / self._size)
+        dearest = (LEAST_TOLL if self._hopeful else 1.0 + EDGE_TOLL) * longest / self._size
+        path = self._cheapest(self._source, target, dearest)
         if path is None:
             return None
         row, column = np.divmod(path, self._open.shape[1])
@@ -95,6 +94,10 @@ class Ground:
         rows, columns = self._open.shape
         rows_off = (np.arange(rows) - target // columns)[:, None]
         off = np.hypot(rows_off, np.arange(columns) - target % columns)
+        if self._tolls is None:
+            cells = np.where(self._open, OFF, 0) if self._hopeful else _cells_off(self._open)
+            with np.errstate(divide="ignore"):
+                self._tolls = (EDGE_TOLL / cells).ravel().tolist()
         ahead, toll = (LEAST_TOLL * off).ravel().tolist(), self._tolls
         neighbors = [(dr * columns + dc, step) for dr, dc, step in NEIGHBORS]
         gone = [math.inf] * len(toll)
