@@ -9,7 +9,7 @@ hotter; where they enclose an island they have inner rings.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -69,6 +69,12 @@ class Family:
     request : PocketRequest
     deviation : float
         Largest deviation of refitted laps [mm]; 0 for raw isotherms.
+    hot : shapely.Polygon or None
+        The slot that is kept hot.
+    heat : float
+        Its temperature [mm2].
+    is_even : bool
+        Whether the field is no temperature but the share of the way to the slot, times the heat.
     """
 
     field: HeatField
@@ -76,6 +82,9 @@ class Family:
     region: Polygon
     request: PocketRequest
     deviation: float
+    hot: Polygon | None = None
+    heat: float = 0.0
+    is_even: bool = False
 
     @property
     def stepover(self) -> float:
@@ -113,7 +122,11 @@ class Room:
 
 
 def family_of(
-    region: Polygon, request: PocketRequest, fillet: float, deviation: float | None = None
+    region: Polygon,
+    request: PocketRequest,
+    fillet: float,
+    deviation: float | None = None,
+    hot: Polygon | None = None,
 ) -> Family:
     """Return the isotherms of a cutter-center region.
 
@@ -125,6 +138,8 @@ def family_of(
         Radius with which its corners are rounded [mm].
     deviation : float, optional
         Largest deviation of refitted laps [mm]; 0 for raw isotherms.
+    hot : shapely.Polygon, optional
+        A slot in it that is kept hot.
     """
     stepover = request.cutting.stepover
     if deviation is None:
@@ -132,12 +147,41 @@ def family_of(
     rounded = _rounded(region, fillet)
     even = math.sqrt(rounded.area / UNKNOWNS)
     spacing = max(min(even, COARSEST * stepover), math.sqrt(rounded.area / MOST))
-    field = solve(rounded, spacing)
-    values = np.ma.masked_invalid(field.values)
-    contours = require("contourpy", _NO_CONTOURS).contour_generator(
-        *field.xy, values, line_type="Separate", corner_mask=False
-    )
-    return Family(field, contours, rounded, request, deviation)
+    heat = 0.0
+    if hot is not None:
+        # between walls so far apart an evenly heated plate is half as hot
+        heat = float(distances(points_of(rounded), [hot]).max()) ** 2
+    field = solve(rounded, spacing, hot, heat)
+    return Family(field, _contours(field), rounded, request, deviation, hot, heat)
+
+
+def evened(family: Family, room: Room) -> tuple[Family, Room]:
+    """Return laps that divide the way from a room's lap to the hot slot inside of it evenly.
+
+    Where the slot bends inwards the plate is as hot as the slot far off it, and isotherms are no
+    guide any more.
+    """
+    field, hot = family.field, family.hot
+    assert hot is not None
+    shapely.prepare(hot)
+    around = room.nodes | shapely.contains_xy(hot, *np.meshgrid(*field.xy))
+    rows, columns = np.nonzero(ndimage.binary_dilation(around, iterations=2))
+    x, y = field.xy
+    x, y = x[columns], y[rows]
+    ways = []
+    for shape in (room.region, hot):
+        shapely.prepare(shape)
+        off = distances(np.column_stack([x, y]), [shapely.segmentize(shape, SPACING)])
+        ways.append(np.where(shapely.contains_xy(shape, x, y), off, -off))
+    from_lap, to_slot = ways[0], -ways[1]
+    share = np.clip(from_lap / np.maximum(from_lap + to_slot, 1e-3), -1.0, 2.0)
+    values = np.full(field.values.shape, np.nan)
+    values[rows, columns] = family.heat * share
+    inside = np.zeros(field.values.shape, bool)
+    inside[rows, columns] = (from_lap > 0) & (to_slot > 0)
+    even = HeatField.of(field.origin, field.spacing, values, inside)
+    one = replace(family, field=even, contours=_contours(even), is_even=True)
+    return one, Room(room.region, 0.0, inside, room.patches)
 
 
 def _rounded(region: Polygon, fillet: float) -> Polygon:
@@ -149,14 +193,28 @@ def _rounded(region: Polygon, fillet: float) -> Polygon:
     return oriented(parts[0] if len(parts) == 1 else region)
 
 
-def mover(field: HeatField) -> Mover:
-    """Return what moves points along gradient lines; see `nested.Mover`."""
+def _contours(field: HeatField) -> ContourGenerator:
+    """Return what finds the isotherms of a field."""
+    values = np.ma.masked_invalid(field.values)
+    return require("contourpy", _NO_CONTOURS).contour_generator(
+        *field.xy, values, line_type="Separate", corner_mask=False
+    )
+
+
+def mover(field: HeatField, even: HeatField | None = None, heat: float = math.inf) -> Mover:
+    """Return what moves points along gradient lines; see `nested.Mover`.
+
+    Levels above `heat` are those of the field `even`, and so much higher.
+    """
 
     def move(points: Floats, level: float, to_level: float) -> Floats:
+        along = field
+        if even is not None and to_level > heat:
+            along, level, to_level = even, max(level - heat, 0.0), to_level - heat
         rise = (to_level - level) / GRADIENT_STEPS
         for _ in range(GRADIENT_STEPS):
-            middle = points + _uphill(field, points) * rise / 2
-            points = points + _uphill(field, middle) * rise
+            middle = points + _uphill(along, points) * rise / 2
+            points = points + _uphill(along, middle) * rise
         return points
 
     return move

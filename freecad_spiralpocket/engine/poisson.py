@@ -47,6 +47,13 @@ class HeatField:
     inside: NDArray[np.bool_]
     slopes: Floats
 
+    @classmethod
+    def of(
+        cls, origin: Floats, spacing: float, values: Floats, inside: NDArray[np.bool_]
+    ) -> HeatField:
+        """Return the field of some temperatures."""
+        return cls(origin, spacing, values, inside, _slopes(values) / spacing)
+
     @property
     def xy(self) -> tuple[Floats, Floats]:
         """Return the coordinates of columns and rows [mm]."""
@@ -79,7 +86,9 @@ class HeatField:
         return any(nodes[r, c] for r in rows for c in columns)
 
 
-def solve(region: Polygon, spacing: float) -> HeatField:
+def solve(
+    region: Polygon, spacing: float, hot: Polygon | None = None, heat: float = 0.0
+) -> HeatField:
     """Return the temperature in a region.
 
     Parameters
@@ -87,6 +96,11 @@ def solve(region: Polygon, spacing: float) -> HeatField:
     region : shapely.Polygon
     spacing : float
         Of the nodes [mm].
+    hot : shapely.Polygon, optional
+        Inside of it, without islands: is kept at one temperature. Then the plate is heated by that
+        alone.
+    heat : float, optional
+        That temperature [mm2].
 
     Notes
     -----
@@ -96,27 +110,45 @@ def solve(region: Polygon, spacing: float) -> HeatField:
     # off the corners, where nodes would lie on the wall
     origin = np.array([x0 - 2.37 * spacing, y0 - 2.41 * spacing])
     shape = (math.ceil((y1 - origin[1]) / spacing) + 3, math.ceil((x1 - origin[0]) / spacing) + 3)
-    rings = [
-        (np.asarray(r.coords) - origin) / spacing for r in (region.exterior, *region.interiors)
-    ]
-    inside, west, east = _row_walls(rings, shape)
-    _, south, north = _row_walls([r[:, ::-1] for r in rings], shape[::-1])
-    gaps = np.stack([west, east, south.T, north.T])
-    values = _temperatures(inside, gaps) * spacing**2
-    values = _beyond_walls(values, inside, gaps)
-    return HeatField(origin, spacing, values, inside, _slopes(values) / spacing)
+    walls = [region.exterior, *region.interiors, *([] if hot is None else [hot.exterior])]
+    rings = [(np.asarray(r.coords) - origin) / spacing for r in walls]
+    kept = np.zeros(len(rings))
+    if hot is not None:
+        kept[-1] = heat
+    inside, gaps, held = _row_walls(rings, kept, shape)
+    _, across, held_across = _row_walls([r[:, ::-1] for r in rings], kept, shape[::-1])
+    gaps = np.concatenate([gaps, across.transpose(0, 2, 1)])
+    held = np.concatenate([held, held_across.transpose(0, 2, 1)])
+    values = _temperatures(inside, gaps, held / spacing**2) * spacing**2
+    values = _beyond_walls(values, inside, gaps, held)
+    return HeatField.of(origin, spacing, values, inside)
 
 
 def _row_walls(
-    rings: list[Floats], shape: tuple[int, int]
+    rings: list[Floats], kept: Floats, shape: tuple[int, int]
 ) -> tuple[NDArray[np.bool_], Floats, Floats]:
-    """Return which nodes are inside, and the way from each to the walls before and after it.
+    """Return which nodes are inside, and how far the walls before and after each are.
 
-    Rings in units of the spacing; ways along the rows, at most 1.
+    Parameters
+    ----------
+    rings : list of ndarray of shape (n, 2)
+        In units of the spacing.
+    kept : ndarray
+        The temperature of each.
+    shape : tuple of int
+        Rows and columns.
+
+    Returns
+    -------
+    inside : ndarray of bool, shape (rows, columns)
+    ways : ndarray of shape (2, rows, columns)
+        Along the rows, at most 1.
+    held : ndarray of shape (2, rows, columns)
+        Temperatures of these walls.
     """
     rows, columns = shape
-    lines, places = [], []
-    for points in rings:
+    lines, places, owners = [], [], []
+    for number, points in enumerate(rings):
         a, b = points[:-1], points[1:]
         low = np.ceil(np.minimum(a[:, 1], b[:, 1])).astype(int)
         high = np.ceil(np.maximum(a[:, 1], b[:, 1])).astype(int)  # half open: low <= row < high
@@ -126,24 +158,27 @@ def _row_walls(
         share = (row - a[edge, 1]) / (b[edge, 1] - a[edge, 1])
         lines.append(row)
         places.append(a[edge, 0] + share * (b[edge, 0] - a[edge, 0]))
+        owners.append(np.full(len(row), number))
     # one sorted axis: rows one after the other, far enough apart
     period = 4.0 * columns
-    walls = np.sort(np.concatenate(lines) * period + np.concatenate(places))
-    walls = np.concatenate([[-np.inf], walls, [np.inf]])
+    walls = np.concatenate(lines) * period + np.concatenate(places)
+    order = np.argsort(walls)
+    kept = np.concatenate([[0.0], kept[np.concatenate(owners)[order]], [0.0]])
+    walls = np.concatenate([[-np.inf], walls[order], [np.inf]])
     nodes = np.arange(rows)[:, None] * period + np.arange(columns)[None, :]
     after = np.searchsorted(walls, nodes)
     inside = (after - 1) % 2 == 1
     west = np.clip(nodes - walls[after - 1], NEAREST, 1.0)
     east = np.clip(walls[after] - nodes, NEAREST, 1.0)
-    return inside, west, east
+    return inside, np.stack([west, east]), np.stack([kept[after - 1], kept[after]])
 
 
 #: Steps to the neighbors in the order west, east, south, north: rows, columns.
 _STEPS = ((0, -1), (0, 1), (-1, 0), (1, 0))
 
 
-def _temperatures(inside: NDArray[np.bool_], gaps: Floats) -> Floats:
-    """Solve the difference equations; unit spacing, 0 outside."""
+def _temperatures(inside: NDArray[np.bool_], gaps: Floats, held: Floats) -> Floats:
+    """Solve the difference equations for walls that are held so hot; unit spacing, 0 outside."""
     from scipy.sparse import coo_array
     from scipy.sparse.linalg import splu
 
@@ -151,14 +186,15 @@ def _temperatures(inside: NDArray[np.bool_], gaps: Floats) -> Floats:
     rows, columns = np.nonzero(inside)
     count = len(rows)
     index[rows, columns] = np.arange(count)
-    ways = gaps[:, rows, columns]
-    diagonal = np.zeros(count)
+    ways, walls = gaps[:, rows, columns], held[:, rows, columns]
+    diagonal, right = np.zeros(count), np.ones(count)
     heads, tails, weights = [np.arange(count)], [np.arange(count)], [diagonal]
     for k, (dr, dc) in enumerate(_STEPS):
         weight = 2.0 / (ways[k] * (ways[k] + ways[k ^ 1]))
         diagonal += weight
         other = index[rows + dr, columns + dc]
         near = (ways[k] >= 1.0) & (other >= 0)
+        right += np.where(near, 0.0, weight * walls[k])
         heads.append(np.flatnonzero(near))
         tails.append(other[near])
         weights.append(-weight[near])
@@ -173,22 +209,23 @@ def _temperatures(inside: NDArray[np.bool_], gaps: Floats) -> Floats:
         options={"SymmetricMode": True},
     )
     values = np.zeros(inside.shape)
-    values[rows, columns] = factors.solve(np.ones(count))
+    values[rows, columns] = factors.solve(right)
     return values
 
 
-def _beyond_walls(values: Floats, inside: NDArray[np.bool_], gaps: Floats) -> Floats:
+def _beyond_walls(values: Floats, inside: NDArray[np.bool_], gaps: Floats, held: Floats) -> Floats:
     """Return values that go on outside of the walls, nan where no cell reaches inside."""
     total, count = np.zeros(values.shape), np.zeros(values.shape)
     for k, (dr, dc) in enumerate(_STEPS):
         rows, columns = np.nonzero(inside & (gaps[k] < 1.0))
         way, behind = gaps[k, rows, columns], gaps[k ^ 1, rows, columns]
-        here = values[rows, columns]
+        here, wall = values[rows, columns], held[k, rows, columns]
         # behind: the next node, or the other wall
-        there = np.where(behind >= 1.0, values[rows - dr, columns - dc], 0.0)
-        slope = -here / way
+        other = held[k ^ 1, rows, columns]
+        there = np.where(behind >= 1.0, values[rows - dr, columns - dc], other)
+        slope = (wall - here) / way
         bend = (slope - (here - there) / behind) / (way + behind)
-        beyond = slope * (1 - way) + bend * (1 - way)
+        beyond = wall + slope * (1 - way) + bend * (1 - way)
         np.add.at(total, (rows + dr, columns + dc), beyond)
         np.add.at(count, (rows + dr, columns + dc), 1)
     known = inside | (count > 0)

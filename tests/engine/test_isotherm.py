@@ -15,15 +15,17 @@ from shapes import CIRCLE, DUMBBELL, L_SHAPE, PENTAGON, RING, SQUARE, TRIANGLE, 
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetError
-from freecad_spiralpocket.engine.floor import Helix, Pass, Slot
+from freecad_spiralpocket.engine.floor import FloorPath, Helix, Pass, Slot
 from freecad_spiralpocket.engine.hermite_quartic import ClosedFit, ClosedQuartic
+from freecad_spiralpocket.engine.hot_slots import hot_slot
 from freecad_spiralpocket.engine.isotherms import distances, family_of, mover, points_of
 from freecad_spiralpocket.engine.kinks import softened
 from freecad_spiralpocket.engine.laps import isotherm
-from freecad_spiralpocket.engine.model import Strategy
+from freecad_spiralpocket.engine.model import Cutting, Strategy
 from freecad_spiralpocket.engine.planner import plan
 from freecad_spiralpocket.engine.poisson import HeatField, solve
 from freecad_spiralpocket.engine.region import center_regions
+from freecad_spiralpocket.engine.skeleton import medial_axis
 from freecad_spiralpocket.engine.toolpath import Role
 from freecad_spiralpocket.engine.turns import EASE, Ring, match, rise, turn
 
@@ -32,6 +34,9 @@ STEP = 2.4
 TWO_LOBES = Point(-26, 0).buffer(24).union(Point(26, 0).buffer(24)).union(box(-26, -14, 26, 14))
 ROUND_RING = Point(0, 0).buffer(40, quad_segs=64).difference(Point(0, 0).buffer(14, quad_segs=64))
 TWO_ISLANDS = box(0, 0, 90, 60).difference(Point(25, 30).buffer(8)).difference(box(55, 20, 70, 38))
+FOUR_POSTS = box(0, 0, 120, 80).difference(
+    MultiPoint([(30, 25), (90, 25), (30, 55), (90, 55)]).buffer(8.0)
+)
 #: Between posts laps close about islands that are far from most of the laps inside.
 SIX_POSTS = box(0, 0, 100, 67).difference(
     MultiPoint([(20 + 30 * i, 20 + 27 * k) for i in range(3) for k in range(2)]).buffer(5.0)
@@ -226,12 +231,64 @@ def test_raw_isotherms_are_kept_as_a_choice():
     )
 
 
-def test_two_summits_give_two_spirals_and_laps_around_both():
-    _, path = path_of(TWO_LOBES)
-    entries = [path.entry, *(p for p in path.passes if not isinstance(p, Pass))]
-    assert len(entries) == 2
-    assert all(isinstance(entry, Helix) for entry in entries)
-    assert entries[0].center[0] * entries[1].center[0] < 0
+def entries_of(path: FloorPath) -> list:
+    return [path.entry, *(p for p in path.passes if not isinstance(p, Pass))]
+
+
+def test_an_evenly_heated_plate_has_a_spiral_about_each_summit_and_laps_around_both():
+    _, wall = laps_of(TWO_LOBES)
+    cores = [lap for lap, _ in pairs(wall) if lap.entry is not None]
+    assert len(cores) == 2
+    assert all(isinstance(core.entry, Helix) for core in cores)
+    assert cores[0].entry.center[0] * cores[1].entry.center[0] < 0
+    assert max(len(inner) for _, inner in pairs(wall)) == 2
+
+
+@pytest.mark.parametrize("pocket", [TWO_LOBES, L_SHAPE, TWO_ISLANDS, SIX_POSTS, FOUR_POSTS])
+def test_one_slot_opens_all_rooms_and_nothing_is_lifted_over(pocket):
+    _, path = path_of(pocket)
+    assert isinstance(path.entry, Slot)
+    assert entries_of(path) == [path.entry]
+    assert all(p.role is not Role.AIR for p in path.passes)
+
+
+@pytest.mark.parametrize("pocket", [TWO_LOBES, L_SHAPE, TWO_ISLANDS])
+def test_a_hot_slot_gives_shorter_laps_than_an_even_heat(pocket):
+    _, wall = laps_of(pocket)
+    _, path = path_of(pocket, cutting=Cutting(STEP, finishing_lap=False))
+    creeping = sum(lap.region.length for lap, _ in pairs(wall))
+    assert length_of(path) < 0.95 * creeping
+
+
+def length_of(path: FloorPath) -> float:
+    """Return the length of all that is cut [mm]."""
+    cuts = [p for p in path.passes if isinstance(p, Pass) and p.role is Role.CUT]
+    return sum(LineString(p.points).length for p in cuts)
+
+
+@pytest.mark.parametrize("pocket", [TWO_LOBES, TWO_ISLANDS, SIX_POSTS])
+def test_a_hot_slot_keeps_off_walls_and_is_in_one_piece(pocket):
+    region = center_regions(pocket, 3.0, 0.0)[0]
+    slot = hot_slot(region, medial_axis(region), make_request(pocket))
+    assert slot.is_valid
+    assert not slot.interiors
+    assert slot.distance(region.boundary) > 0.25 * STEP
+
+
+@pytest.mark.parametrize("pocket", [CIRCLE, SQUARE, TRIANGLE, PENTAGON])
+def test_a_compact_pocket_has_no_ridge(pocket):
+    region = center_regions(pocket, 3.0, 0.0)[0]
+    assert hot_slot(region, medial_axis(region), make_request(pocket)) is None
+
+
+def test_field_about_a_hot_disc_is_exact():
+    center, inner, outer, heat = (0.3, 0.2), 3.0, 10.0, 40.0
+    disc, hot = (Point(center).buffer(r, quad_segs=2000) for r in (outer, inner))
+    field = solve(disc, 0.125, hot, heat)
+    x, y = np.meshgrid(*field.xy)
+    r = np.hypot(x - center[0], y - center[1])
+    exact = ring_temperature(r, inner, outer) + heat * np.log(r / outer) / np.log(inner / outer)
+    assert np.abs(field.values - exact)[field.inside].max() < 1e-2
 
 
 def test_a_level_ridge_round_an_island_is_opened_by_a_slot():

@@ -19,14 +19,18 @@ is far from the others they lie closer than they need.
 - In the middle a helix goes down; where that would mean many laps about a long ridge, or
   where the ridge is closed about an island, a slot along the innermost isotherm that leaves
   no post.
+- Where the plate has several summits, or laps to its only one would be longer, a slot along the
+  ridges joins them and is kept hot instead (hot_slots.py): everything is then laps about
+  that one slot, without lifts.
 
 The step-over is held, the engagement in bends is not: the report says how far.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from itertools import count
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -34,12 +38,14 @@ from shapely import Point, Polygon
 
 from ..errors import NotYetError
 from ..estimates import motion_of
-from ..floor import FloorPath
+from ..floor import FloorPath, Slot
+from ..hot_slots import hot_slot
 from ..isotherm_slots import core_of, core_share, pays, slots_for
 from ..isotherms import (
     Family,
     Room,
     distances,
+    evened,
     family_of,
     from_lines,
     isotherms,
@@ -49,9 +55,12 @@ from ..isotherms import (
     points_of,
     rooms_at,
 )
-from ..model import PocketRequest, Tick
-from ..nested import Lap, path_through
+from ..model import Floats, PocketRequest, Tick
+from ..nested import SPACING, Lap, Mover, path_through
+from ..poisson import HeatField
 from ..shaping import oriented
+from ..skeleton import medial_axis
+from ..starts import slot_bite
 from .closing import corner_fillet
 
 #: Steps of the search for the next isotherm. It begins with this share of the temperature left, and
@@ -65,6 +74,13 @@ LEAST_STEP = 2e-3
 #: Below this share laps may creep along a neck; there these steps are tried with slots.
 SLOW = 0.03
 NECK_STEPS = (0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.01, 0.005)
+#: From a lap that is nowhere farther from the hot slot than this over the step-over the way there
+#: is divided evenly.
+EVEN = 5.0
+#: A region whose ridges are shorter than this over its largest clearance is compact.
+COMPACT = 1.5
+#: Steps of less than this share are none where a slot is kept hot.
+LEAST_HOT = 1e-4
 #: More laps than this are refused.
 MOST_LAPS = 300
 
@@ -93,12 +109,59 @@ def floor_path(
     """
     region = oriented(shapely.simplify(region, 0.001))
     fillet = corner_fillet(region, request.cutting.stepover)
-    family = family_of(region, request, fillet, deviation)
-    tick(0.1)
-    wall = laps_of(family, tick)
+    wall, move = _shortest(region, request, fillet, deviation, tick)
     if request.cutting.finishing_lap:
         wall = Lap(region, 0.0, (wall,))
-    return path_through(wall, region, request, motion_of(request), mover(family.field), tick)
+    return path_through(wall, region, request, motion_of(request), move, tick)
+
+
+def _shortest(
+    region: Polygon, request: PocketRequest, fillet: float, deviation: float | None, tick: Tick
+) -> tuple[Lap, Mover]:
+    """Return the laps about a hot slot, or those to the plate's only summit if they are shorter.
+
+    And what moves points from one to another.
+
+    The parameters are those of `floor_path` and `isotherms.family_of`.
+    """
+    axis = medial_axis(region)
+    slot = hot_slot(region, axis, request)
+    # partners on rings are sought beside their vertices
+    slot = None if slot is None else shapely.segmentize(slot, SPACING)
+    about, effort = None, _Effort()
+    if slot is not None:
+        try:
+            family = family_of(region, request, fillet, deviation, slot)
+            wall = _lap(family, outer_room(family), tick, effort)
+            about = wall, mover(family.field, effort.even, family.heat)
+        except NotYetError:
+            effort = _Effort()
+        if about is not None and not _is_compact(region, slot, float(axis.clearance.max())):
+            return about
+    family = family_of(region, request, fillet, deviation)
+    if about is None:
+        return laps_of(family, tick), mover(family.field)
+    try:
+        wall = _lap(family, outer_room(family), tick, _Effort(effort.length, 1))
+    except NotYetError:
+        return about
+    return wall, mover(family.field)
+
+
+def _is_compact(region: Polygon, slot: Polygon, widest: float) -> bool:
+    """Return whether a region may have one summit, or one ridge, to which laps are shorter.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+    slot : shapely.Polygon
+        Along its ridges.
+    widest : float
+        Largest clearance [mm].
+    """
+    if region.interiors:
+        return len(region.interiors) == 1
+    return slot.length < 2 * COMPACT * widest
 
 
 def laps_of(family: Family, tick: Tick) -> Lap:
@@ -109,29 +172,123 @@ def laps_of(family: Family, tick: Tick) -> Lap:
     NotYetError
         See `floor_path`.
     """
-    return _lap(family, outer_room(family), tick, count(1))
+    return _lap(family, outer_room(family), tick, _Effort())
 
 
-def _lap(family: Family, room: Room, tick: Tick, counter: Iterator[int]) -> Lap:
+@dataclass(slots=True)
+class _Effort:
+    """What laps take, and may take at most.
+
+    Attributes
+    ----------
+    most : float
+        Length of all laps, and of slots in all their levels [mm].
+    cores : int
+        Places where the cutter goes down.
+    laps : int
+    length : float
+        [mm]
+    even : HeatField or None
+        Along which the laps beside a hot slot were chosen.
+    """
+
+    most: float = math.inf
+    cores: float = math.inf
+    laps: int = 0
+    length: float = 0.0
+    even: HeatField | None = None
+
+    def spend(self, length: float, place: shapely.Point) -> None:
+        """Count a lap, or a slot in all its levels, of a length [mm]."""
+        self.laps += 1
+        self.length += length
+        if self.laps > MOST_LAPS or self.length > self.most:
+            raise NotYetError(
+                f"Isotherm would need more than {MOST_LAPS} laps.",
+                "Take a larger step-over or the strategy Automatic.",
+                (place.x, place.y),
+            )
+
+
+def _lap(family: Family, room: Room, tick: Tick, effort: _Effort) -> Lap:
     """Return the lap about a room, with all inside of it."""
-    if next(counter) > MOST_LAPS:
-        place = room.region.representative_point()
-        raise NotYetError(
-            f"Isotherm would need more than {MOST_LAPS} laps.",
-            "Take a larger step-over or the strategy Automatic.",
-            (place.x, place.y),
-        )
+    effort.spend(room.region.length, room.region.representative_point())
     tick(0.1 + 0.5 * (1 - room.region.area / family.region.area))
+    if family.hot is not None and room.region.contains(family.hot.representative_point()):
+        return _lap_about(family, family.hot, room, tick, effort)
     core = core_of(family, room)
     if core is not None:
+        if isinstance(core.entry, Slot):
+            if core.region is room.region:
+                effort.length -= room.region.exterior.length  # the slot is that lap
+            effort.spend(_length(core.entry, family), room.region.representative_point())
         return core if core.region is room.region else Lap(room.region, room.level, (core,))
     rooms, slots = _inner_rooms(family, room)
+    if len(rooms) + len(slots) > effort.cores:
+        raise NotYetError("The plate has several summits.", "", None)
     # the hottest first: its core is the first to be opened
-    laps = [*(_lap(family, one, tick, counter) for one in reversed(rooms)), *slots]
+    laps = [*(_lap(family, one, tick, effort) for one in reversed(rooms)), *slots]
     asked = family.request.start_point
     if asked is not None:
         laps.sort(key=lambda lap: lap.region.distance(Point(asked)))
     return Lap(room.region, room.level, tuple(laps))
+
+
+def _length(slot: Slot, family: Family) -> float:
+    """Return the length of a slot in all its levels [mm]."""
+    levels = math.ceil(family.request.axial_depth / slot.bite)
+    return levels * shapely.LinearRing(slot.ring).length
+
+
+def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Effort) -> Lap:
+    """Return the lap about a room that has the hot slot inside, with all inside of it.
+
+    Raises
+    ------
+    NotYetError
+        If no laps lead to the slot.
+    """
+    level = room.level + (family.heat if family.is_even else 0.0)
+    points = points_of(room.region)
+    off = float(distances(points, [hot]).max())
+    if off <= REFITTED * family.stepover:
+        slot = Slot(np.asarray(hot.exterior.coords)[:-1], slot_bite(family.request))
+        effort.spend(_length(slot, family), hot.representative_point())
+        core = Lap(hot, level - room.level + family.heat, (), slot)
+        return Lap(room.region, level, (core,))
+    if off > EVEN * family.stepover or family.is_even:
+        rooms = _rooms_about(family, room, points)
+        if rooms:
+            laps = (_lap(family, one, tick, effort) for one in reversed(rooms))
+            return Lap(room.region, level, tuple(laps))
+    if family.is_even:
+        place = room.region.representative_point()
+        raise NotYetError("No isotherm leads to the slot.", "", (place.x, place.y))
+    effort.length -= room.region.length  # it is counted once more
+    even, room = evened(family, room)
+    effort.even = even.field
+    return Lap(room.region, level, _lap(even, room, tick, effort).inner)
+
+
+def _rooms_about(family: Family, room: Room, points: Floats) -> list[Room]:
+    """Return the rooms inside of the next laps about the hot slot; none if these are no guide.
+
+    `points` are those of the room's lap.
+    """
+
+    def level(share: float) -> float:
+        return room.level + share * (family.heat - room.level)
+
+    def farthest(share: float) -> float:
+        return float(from_lines(points[::THINNED], lines_at(family, room, level(share))).max())
+
+    share = _largest(farthest, family.stepover)
+    while share > LEAST_HOT:
+        rooms = rooms_at(family, room, level(share))
+        if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
+            return rooms
+        share *= 0.95
+    return []
 
 
 def _inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
