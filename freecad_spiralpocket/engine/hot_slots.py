@@ -38,6 +38,8 @@ SMOOTHING, SHORTEST = 1.0, 1.0
 PARTED = 1.2
 #: The slot keeps off walls by this over the step-over.
 OFF = 0.3
+#: Its corners are rounded by these over R, the first that costs nothing.
+ROUNDINGS = (0.5, 0.25, 0.1)
 
 
 def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon | None:
@@ -71,8 +73,20 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
         shape = shapely.union_all([buffer(branch, wide) for branch in branches])
         start = slot_round(inner, shape, request)
         if start is not None and isinstance(start.entry, Slot) and not start.visited.interiors:
-            return oriented(Polygon(start.entry.ring))
+            return _smoothed(Polygon(start.entry.ring), inner, request)
     return None
+
+
+def _smoothed(slot: Polygon, inner: Polygon, request: PocketRequest) -> Polygon:
+    """Return a slot with its corners rounded, as far as it keeps in one piece and off walls."""
+    fence = buffer(inner, OFF / 2 * request.cutting.stepover)
+    for share in ROUNDINGS:
+        q = share * request.cutter_radius
+        shape = buffer(buffer(buffer(slot, q), -2 * q), q)
+        whole = isinstance(shape, Polygon) and not shape.interiors
+        if whole and fence.covers(shape) and buffer(shape, q).covers(slot):
+            return oriented(shape)
+    return oriented(slot)
 
 
 def _ridges(axis: Skeleton) -> Edges:

@@ -131,6 +131,7 @@ def path_through(
             walker.starts,
             walker.headings,
             frozenset({home[id(b)] for node in chain for b in node.before} - {r}),
+            is_late=True,  # it begins on a ring that is cut, and its last lap runs on
         )
         for r, (chain, walker) in enumerate(zip(chains, walkers, strict=True))
     ]
@@ -264,12 +265,15 @@ class _Walker:
             return [(first.ring, place)]
         found = []
         for source in first.before:
-            lines = source.ring.line, first.ring.line
+            ring = source.ring
+            if source.lap == first.lap:  # round a core with an island, the other way than about it
+                ring = Ring.of(ring.points[::-1])
+            lines = ring.line, first.ring.line
             at = zones(*lines, radius, WIDEST * stepover)
-            beside = _side_by_side(source.ring, first.ring, at, radius)
+            beside = _side_by_side(ring, first.ring, at, radius)
             at = at[beside] if beside.any() else at
             off = gaps(*lines, at, zone_length(*lines, radius))
-            found += [(float(g), source.ring, float(s)) for g, s in zip(off, at, strict=True)]
+            found += [(float(g), ring, float(s)) for g, s in zip(off, at, strict=True)]
         # of laps inside, some are far from a ring about an island
         widest = max(WIDEST * stepover, min(off for off, _, _ in found))
         return [(ring, at) for off, ring, at in found if off <= widest]

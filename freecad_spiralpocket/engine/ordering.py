@@ -148,7 +148,8 @@ class _Cutter:
         away = np.hypot(*(self._starts[ways] - self._here).T)
         nearest_first = [ways[i] for i in np.argsort(away, kind="stable")]
         near = nearest_first[: np.count_nonzero(away < OVERLAP)]
-        behind = [w for w in near if len(self._runs[self._ways[w][0]].strokes) == 1]
+        runs = [self._runs[self._ways[w][0]] for w in near]
+        behind = [w for w, r in zip(near, runs, strict=True) if r.is_late or len(r.strokes) == 1]
         step = self._going_on(behind)
         if step is None:
             link, way = self._fastest_link(nearest_first)

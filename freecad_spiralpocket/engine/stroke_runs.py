@@ -57,6 +57,8 @@ class Run:
         Where each way begins, and the unit direction there.
     needs : frozenset of int
         Indices of the runs that must be done before.
+    is_late : bool
+        Whether a way may be begun a little behind its start, though it is several strokes.
     """
 
     strokes: tuple[int, ...]
@@ -64,6 +66,7 @@ class Run:
     starts: Floats
     headings: Floats
     needs: frozenset[int] = frozenset()
+    is_late: bool = False
 
 
 def leanings(strokes: Sequence[Stroke], stepover: float) -> list[set[int]]:

@@ -345,6 +345,15 @@ def test_laps_beside_saddles_have_no_sharp_corners(pocket):
     assert max(turning(p.points).max() for p in spirals) < 35
 
 
+@pytest.mark.parametrize("pocket", [RING, ROUND_RING, TWO_ISLANDS, FOUR_POSTS, SIX_POSTS])
+def test_nothing_turns_back_round_islands_nor_on_the_way_to_them(pocket):
+    _, path = path_of(pocket)
+    parts = [p.points for p in path.passes if isinstance(p, Pass) and p.role is not Role.FINISH]
+    along = np.vstack(parts)
+    steps = np.hypot(*np.diff(along, axis=0).T)
+    assert turning(along[np.append(True, steps > 1e-3)]).max() < 35
+
+
 @settings(max_examples=30, deadline=None)
 @given(st.floats(20, 170), st.floats(0.02, 1.0))
 def test_a_kink_is_spread_and_no_point_moved_too_far(corner, most):

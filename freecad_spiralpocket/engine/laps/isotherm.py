@@ -36,7 +36,7 @@ import numpy as np
 import shapely
 from shapely import Point, Polygon
 
-from ..errors import NotYetError
+from ..errors import CutterDoesNotFitError, NotYetError
 from ..estimates import motion_of
 from ..floor import FloorPath, Slot
 from ..hot_slots import hot_slot
@@ -134,7 +134,7 @@ def _shortest(
             family = family_of(region, request, fillet, deviation, slot)
             wall = _lap(family, outer_room(family), tick, effort)
             about = wall, mover(family.field, effort.even, family.heat)
-        except NotYetError:
+        except (NotYetError, CutterDoesNotFitError):
             effort = _Effort()
         if about is not None and not _is_compact(region, slot, float(axis.clearance.max())):
             return about
@@ -143,7 +143,7 @@ def _shortest(
         return laps_of(family, tick), mover(family.field)
     try:
         wall = _lap(family, outer_room(family), tick, _Effort(effort.length, 1))
-    except NotYetError:
+    except (NotYetError, CutterDoesNotFitError):
         return about
     return wall, mover(family.field)
 
@@ -214,7 +214,7 @@ def _lap(family: Family, room: Room, tick: Tick, effort: _Effort) -> Lap:
     """Return the lap about a room, with all inside of it."""
     effort.spend(room.region.length, room.region.representative_point())
     tick(0.1 + 0.5 * (1 - room.region.area / family.region.area))
-    if family.hot is not None and room.region.contains(family.hot.representative_point()):
+    if family.hot is not None and _holds(room, family.hot):
         return _lap_about(family, family.hot, room, tick, effort)
     core = core_of(family, room)
     if core is not None:
@@ -270,6 +270,11 @@ def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Ef
     return Lap(room.region, level, _lap(even, room, tick, effort).inner)
 
 
+def _holds(room: Room, hot: Polygon | None) -> bool:
+    """Return whether a room has the hot slot inside."""
+    return hot is not None and bool(room.region.contains(hot.representative_point()))
+
+
 def _rooms_about(family: Family, room: Room, points: Floats) -> list[Room]:
     """Return the rooms inside of the next laps about the hot slot; none if these are no guide.
 
@@ -285,6 +290,8 @@ def _rooms_about(family: Family, room: Room, points: Floats) -> list[Room]:
     share = _largest(farthest, family.stepover)
     while share > LEAST_HOT:
         rooms = rooms_at(family, room, level(share))
+        if family.is_even:  # others are on no way to the slot, and thin
+            rooms = [one for one in rooms if _holds(one, family.hot)]
         if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
             return rooms
         share *= 0.95
