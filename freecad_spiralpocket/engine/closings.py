@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from .front_rules import NEW, WIDEST, FrontRules
+from .model import Floats
 from .region import polygons_of
 from .shaping import SLIVER, Region, are_within, buffer, clipped, grown, holes_of, welded
 
@@ -31,6 +32,8 @@ CLOSINGS = (1.0, 0.5, 0.2)
 CUSP_TURN, CUSP = np.radians(25.0), 0.35
 #: A filled arm shortens the edge by more than this, over R.
 ARM = 0.5
+#: A fill is small whose points and middle are no farther from its rim than this over the reach.
+SMALL = 0.1
 #: Distance of the points of a fill by which its new edges are counted [mm].
 EDGE = 0.5
 
@@ -162,10 +165,34 @@ def _are_beyond(
     beyond = np.zeros(len(fills), dtype=bool)
     beyond[of[lost]] = True
     # the middle of a wide piece may be out of reach though its rim is not
-    for i in np.flatnonzero(~beyond & (closing | (shapely.area(fills) > reach**2))):
+    doubtful = ~beyond & (closing | (shapely.area(fills) > reach**2))
+    doubtful &= ~_are_surely_near(fills, coords, of, visited, reach)
+    for i in np.flatnonzero(doubtful):
         x0, y0, x1, y1 = fills[i].bounds
         window = shapely.box(x0 - reach, y0 - reach, x1 + reach, y1 + reach)
         around = (visited, edge) if corner[i] else (visited,)
         near = [buffer(shapely.intersection(s, window), reach) for s in around]
         beyond[i] = shapely.difference(fills[i], shapely.union_all(near)).area > SLIVER
     return beyond
+
+
+def _are_surely_near(
+    fills: NDArray[np.object_],
+    coords: Floats,
+    of: NDArray[np.intp],
+    visited: Polygon,
+    reach: float,
+) -> NDArray[np.bool_]:
+    """Return which fills are so small that they lie within reach where their points do; quick.
+
+    `coords` are the points of the fills, and `of` tells to which each belongs.
+    """
+    slack = SMALL * reach
+    chords = np.hypot(*np.diff(coords, axis=0).T) * (of[1:] == of[:-1])
+    longest = np.zeros(len(fills))
+    np.maximum.at(longest, of[1:], chords)
+    # no disc in it is larger than all of it
+    small = np.sqrt(shapely.area(fills) / np.pi) + longest / 2 < slack
+    far = np.zeros(len(fills), bool)
+    far[of[~are_within(visited, coords, reach - slack)]] = True
+    return small & ~far
