@@ -18,15 +18,13 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import pairwise
 
-import shapely
-from shapely import LineString, Point, Polygon
-from shapely.ops import substring
+from shapely import Point, Polygon
 
 from .findings import TOUCH
 from .floor import FloorPath, Pass
 from .model import PocketRequest, Report, Strategy
+from .passes import with_leads
 from .rendering import Cut
 from .toolpath import Role, Toolpath
 
@@ -190,24 +188,6 @@ class _Repair:
         if not new:
             return None
         return [replace(c, path=new.get(c.room.region.wkb, c.path)) for c in proved.cuts]
-
-
-def with_leads(path: FloorPath, parts: Iterable[int], length: float) -> FloorPath:
-    """Return a path whose given links are cuts over `length` [mm] at both ends."""
-    chosen, passes = set(parts), []
-    for number, part in enumerate(path.passes):
-        if number not in chosen or not isinstance(part, Pass):
-            passes.append(part)
-            continue
-        line = LineString(part.points)
-        if line.length <= 2 * length:
-            passes.append(replace(part, role=Role.CUT))
-            continue
-        bounds = (0.0, length, line.length - length, line.length)
-        roles = (Role.CUT, Role.LINK, Role.CUT)
-        for (begin, end), role in zip(pairwise(bounds), roles, strict=True):
-            passes.append(Pass(shapely.get_coordinates(substring(line, begin, end)), role))
-    return replace(path, passes=tuple(passes))
 
 
 def with_lifts(path: FloorPath, parts: Iterable[int]) -> FloorPath:

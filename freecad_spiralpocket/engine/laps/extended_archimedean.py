@@ -39,7 +39,7 @@ from ..joints import walk_over
 from ..model import Floats, PocketRequest, Tick
 from ..openings import Opening, open_centers
 from ..ordering import SLACK, Situation, Step, order
-from ..passes import passes_of
+from ..passes import passes_of, with_leads
 from ..points import distances_along
 from ..polyline import points_at
 from ..routing import LongWays
@@ -57,6 +57,8 @@ BEGINNINGS = 12
 TRIED, ROUTED = 6, 6
 #: A spiral whose first lap passes this near begins without a link, and so do laps and strokes [mm].
 TOUCHES = 0.05
+#: Links by clothoids are cuts over this at both ends, over R.
+LEAD = 0.5
 #: It comes to its own over this length [mm].
 MERGES = 5.0
 
@@ -101,7 +103,22 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
         If the region is thousands of step-overs wide.
     """
     layout = lay(region, request, tick)
-    return FloorPath(layout.opening.start.entry, passes_of(list(layout.steps), request))
+    path = FloorPath(layout.opening.start.entry, passes_of(list(layout.steps), request))
+    return with_leads(path, _tight(layout), LEAD * request.cutter_radius)
+
+
+def _tight(layout: Layout) -> list[int]:
+    """Return the passes that are links between spirals by clothoids.
+
+    These begin and end on the very edge of the stock, which they may touch.
+    """
+    found, number = [], 0
+    for step, clothoids in zip(layout.steps, layout.links, strict=False):
+        has_way = step.link is None or len(step.link) > 0
+        if clothoids is not None:
+            found.append(number)
+        number += 1 + has_way
+    return found
 
 
 def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
