@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 
 #: Nodes of the grid; more where the spacing would pass this share of the step-over, up to `MOST`.
 UNKNOWNS, COARSEST, MOST = 12_000, 0.5, 60_000
+#: That share where a slot is kept hot, whose ends are close to each other.
+COARSEST_HOT = 0.35
 #: Largest deviation of refitted laps over the step-over, and [mm] (the paper's).
 DEVIATION, LARGEST_DEVIATION = 0.04, 0.5
 #: It is halved so often until laps do not cross themselves.
@@ -146,7 +148,8 @@ def family_of(
         deviation = min(LARGEST_DEVIATION, DEVIATION * stepover)
     rounded = _rounded(region, fillet)
     even = math.sqrt(rounded.area / UNKNOWNS)
-    spacing = max(min(even, COARSEST * stepover), math.sqrt(rounded.area / MOST))
+    coarsest = (COARSEST if hot is None else COARSEST_HOT) * stepover
+    spacing = max(min(even, coarsest), math.sqrt(rounded.area / MOST))
     heat = 0.0
     if hot is not None:
         # between walls so far apart an evenly heated plate is half as hot
