@@ -18,6 +18,7 @@ from functools import cache
 import FreeCAD
 from PySide.QtCore import QT_TRANSLATE_NOOP, QLocale
 
+from .resulttext import in_user_unit
 from .startup import RESOURCES
 
 translate = FreeCAD.Qt.translate
@@ -69,8 +70,8 @@ _AT = r"(the pocket|X-?[\d.]+ Y-?[\d.]+)"
 
 
 def in_panel(text: str) -> str:
-    """Return what the engine says in the user's language, with the panel's labels."""
-    return _NAMES.sub(lambda name: _label(name[1]), localized(text))
+    """Return what the engine says in the user's language and unit, with the panel's labels."""
+    return in_user_unit(_NAMES.sub(lambda name: _label(name[1]), localized(text)))
 
 
 def _label(name: str) -> str:

@@ -3,10 +3,17 @@
 
 from __future__ import annotations
 
+import math
+import re
+
 import FreeCAD
 from PySide import QtCore
 
 translate = FreeCAD.Qt.translate
+
+#: In a sentence: a length or an area, and a coordinate of a place.
+_MEASURE = re.compile(r"(-?\d+(?:[.,]\d+)?(?:e-?\d+)?) mm(2?)(?![A-Za-z0-9/])")
+_COORDINATE = re.compile(r"\b([XYZ])(-?\d+(?:[.,]\d+)?)\b")
 
 
 def small(value: float, power: int = 1) -> str:
@@ -52,3 +59,30 @@ def _user_unit() -> tuple[float, str]:
     """Return the unit that the user has for a part's size, and how many mm it is."""
     _, factor, unit = FreeCAD.Units.Quantity(10.0, FreeCAD.Units.Length).getUserPreferred()
     return float(factor), "in" if unit == '"' else unit
+
+
+def in_user_unit(text: str) -> str:
+    """Return a text with the lengths, areas and places in it [mm] in the user's unit."""
+    factor, unit = _user_unit()
+    if unit == "mm":
+        return text
+    digits = 2 + math.ceil(math.log10(factor))
+
+    def measure(found: re.Match[str]) -> str:
+        power = 2 if found[2] else 1
+        value = _decimal(_number(found[1]) / factor**power, digits)
+        return f"{_short(value)} {unit}{'²' if found[2] else ''}"
+
+    def coordinate(found: re.Match[str]) -> str:
+        return found[1] + _decimal(_number(found[2]) / factor, digits - 1)
+
+    return _COORDINATE.sub(coordinate, _MEASURE.sub(measure, text))
+
+
+def _number(text: str) -> float:
+    return float(text.replace(",", "."))
+
+
+def _short(decimal: str) -> str:
+    """Return a decimal number without the zeros at its end."""
+    return decimal.rstrip("0").rstrip(".,")

@@ -18,6 +18,8 @@ from window import (
     widget,
 )
 
+from freecad_spiralpocket.gui.localized import in_panel
+
 INCHES = 3  # FreeCAD's number for inches with decimals
 
 #: The fields in the order in which the Tab key reaches them.
@@ -96,6 +98,25 @@ def test_what_the_boxes_round_away_is_not_written(inches, operation):
     assert operation.Tolerance.Value == pytest.approx(0.01)
     assert operation.StockToLeave.Value == pytest.approx(0.1234)
     assert (operation.StepOver, operation.MaxEngagement.Value) == (40, 0)
+
+
+@pytest.mark.parametrize(
+    ("told", "shown"),
+    [
+        ("A cutter below 5.87 mm reaches it.", "A cutter below 0.2311 in reaches it."),
+        (
+            "0.01 mm is usual. 645 mm2 of the floor stay uncut, the largest part at X12.7 Y-25.4.",
+            "0.0004 in is usual. 0.9998 in² of the floor stay uncut, the largest part at "
+            "X0.500 Y-1.000.",
+        ),
+        ("At Z-3 the pocket reaches under a wall.", "At Z-0.118 the pocket reaches under a wall."),
+        ("3 mm/min are slow.", "3 mm/min are slow."),
+    ],
+)
+def test_remarks_tell_lengths_in_the_users_unit(inches, told, shown):
+    assert in_panel(told) == shown
+    FreeCAD.Units.setSchema(0)
+    assert in_panel(told) == told
 
 
 def test_feed_of_links_is_shown_in_the_users_unit(inches, operation):
