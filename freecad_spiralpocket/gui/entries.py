@@ -6,7 +6,8 @@ decimal mark of another language ("2,4" is 24), read a plain number in whatever 
 stands there (micrometers), and round to the decimals that they show. Here a number may have
 either mark, is in the user's own unit unless another one is typed, and is taken as it is or
 not at all: until the box is left nothing half typed is held against the user, then the value
-from before stays and the panel says why.
+from before stays and the panel says why. And FreeCAD's boxes round what they hold whenever their
+page is shown, which is no entry of the user's.
 """
 
 from __future__ import annotations
@@ -143,7 +144,9 @@ class Entry:
         self._line = renamed(box.findChild(QtGui.QLineEdit))
         self._line.setValidator(None)  # would swallow single keys
         self._line.textEdited.connect(self._note)
+        self._line.textChanged.connect(self._show_known)
         self._known, self._typed = "", None
+        self._rounded = ""  # what the box shows for the known value of its own accord
         self._before: dict[str, Any] = {}
         self.is_refused = False
 
@@ -158,20 +161,20 @@ class Entry:
 
     def show(self, value: float) -> None:
         """Show a value, without any signal."""
+        self._rounded = ""
         was_blocked = self.box.blockSignals(True)
         self.box.setProperty(self._property, value)
         self.box.blockSignals(was_blocked)
         text = self._line.text()
         if self.scale.kind is not None and not self._tells(text, value):
-            was_blocked = self._line.blockSignals(True)  # the box would read it
-            self._line.setText(self.scale.text(value, DIGITS if self._is_exact else 4))
-            self._line.blockSignals(was_blocked)
+            self._set_text(self.scale.text(value, DIGITS if self._is_exact else 4))
+        self._rounded = text
         self._known, self._typed, self.is_refused = self._line.text(), None, False
 
     def entered(self) -> float | None:
         """Return a value that was entered since the last call, None for none or a refused one."""
         text = self._line.text()
-        if text == self._known:
+        if text == self._known or (text == self._rounded and not self.is_typing):
             return None
         self._known = text
         if self._typed is None:  # by the arrows or the wheel
@@ -217,6 +220,17 @@ class Entry:
             values = {name: getattr(self._obj, name) for name in self._names}
             self._before = {name: getattr(v, "Value", v) for name, v in values.items()}
         self._typed = text
+
+    def _show_known(self, text: str) -> None:
+        """Show all decimals again that the box has taken away, as when its page is shown."""
+        if text == self._rounded != self._known and not self.is_typing:
+            self._set_text(self._known)
+
+    def _set_text(self, text: str) -> None:
+        """Show a text that the box does not get to read."""
+        was_blocked = self._line.blockSignals(True)
+        self._line.setText(text)
+        self._line.blockSignals(was_blocked)
 
     def _tells(self, text: str, value: float) -> bool:
         """Return whether FreeCAD's text is in the user's unit and leaves nothing out."""

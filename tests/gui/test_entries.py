@@ -148,3 +148,41 @@ def test_what_cannot_be_taken_leaves_the_value_and_is_told(operation, box, lette
     enter(widget("stepOverPercent"), "30")
     assert operation.StepOver == 30
     assert "not taken" not in widget("summary").text() + remarks()
+
+
+def turn_pages(operation):
+    """Look at another page of the panel, and fold and unfold the advanced fields."""
+    pages = panel().form[0]
+    shown = pages.currentIndex()
+    for index in (1, shown):
+        pages.setCurrentIndex(index)
+        pump()
+    for unfolded in (False, True):
+        widget("advanced").setChecked(unfolded)
+        pump()
+    write_all(operation)
+
+
+#: What the boxes show rounded: box, what is typed, property.
+LONG = [
+    ("stockToLeave", "0.1234", "StockToLeave"),
+    ("helixAngle", "3.1234", "HelixAngle"),
+    ("slotBite", "0.396875", "SlotBite"),
+    ("linkFeed", "33.3333", "LinkFeed"),
+    ("startPointX", "20.1234", "StartPoint"),
+]
+
+
+@pytest.mark.parametrize(("box", "letters", "name"), LONG)
+def test_what_was_typed_outlives_a_look_at_another_page(operation, box, letters, name):
+    enter(widget("stepOverPercent"), "40")
+    enter(widget(box), letters)
+    value, shown = value_of(operation, name), widget(box).text()
+    turn_pages(operation)
+    assert value_of(operation, name) == value
+    assert widget(box).text() == shown
+    leave(widget(box))
+    assert value_of(operation, name) == value
+    assert "not taken" not in widget("summary").text()
+    strike(widget(box), QtCore.Qt.Key_Up)
+    assert value_of(operation, name) != value
