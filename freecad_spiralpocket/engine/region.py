@@ -23,6 +23,8 @@ from .model import Notice
 BUFFER_SAG, FINE_SAG = 0.001, 1 / 3000
 #: Channels wider than the cutter by less than twice this are too narrow for it, over R.
 HAIR = 0.003
+#: Chords of circles that are larger than any part are no shorter [rad]: rounding would make them 0.
+LEAST_STEP = 1e-4
 #: A left-over piece that takes a disc of this share of the cutter's radius is told about; the
 #: piece in a square corner takes 0.17.
 TOLD_SHARE = 0.3
@@ -37,7 +39,7 @@ def quad_segments(radius: float, sag: float = BUFFER_SAG) -> int:
         [mm]
     """
     step = 2 * math.acos(max(-1.0, 1.0 - sag / max(abs(radius), sag)))
-    return max(8, math.ceil(math.pi / 2 / step))
+    return max(8, math.ceil(math.pi / 2 / max(step, LEAST_STEP)))
 
 
 def grow(
@@ -49,7 +51,8 @@ def grow(
 
 def polygons_of(shape: shapely.Geometry) -> list[Polygon]:
     """Return the polygons in `shape`, counter-clockwise, largest first (ties: lower left)."""
-    parts = [g for g in shapely.get_parts(shape) if isinstance(g, Polygon) and not g.is_empty]
+    parts = shapely.get_parts(shapely.get_parts(shape))  # a collection may hold several at once
+    parts = [g for g in parts if isinstance(g, Polygon) and not g.is_empty]
     return [orient(p) for p in sorted(parts, key=lambda p: (-p.area, p.bounds))]
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from shapely import Point, box
+from shapely import GeometryCollection, LineString, MultiPolygon, Point, box
 from shapes import DUMBBELL, FEEDS, HEIGHTS
 
 from freecad_spiralpocket.engine.entry import (
@@ -22,7 +22,12 @@ from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.floor import Helix, Slot
 from freecad_spiralpocket.engine.levels import floors
 from freecad_spiralpocket.engine.model import Entry, Heights
-from freecad_spiralpocket.engine.region import center_regions, unreachable_notices
+from freecad_spiralpocket.engine.region import (
+    center_regions,
+    grow,
+    polygons_of,
+    unreachable_notices,
+)
 from freecad_spiralpocket.engine.toolpath import Kind, ToolpathBuilder
 
 
@@ -35,6 +40,16 @@ def test_region_grown_again_never_passes_the_wall():
     pocket = box(0, 0, 40, 20).union(Point(40, 10).buffer(10))
     (region,) = center_regions(pocket, 3.0, 0.0)
     assert pocket.boundary.distance(region) > 3.0 - 1e-3
+
+
+def test_polygons_are_found_in_what_repair_makes_of_a_shape():
+    small, large = box(0, 0, 1, 1), box(5, 0, 9, 9)
+    mixed = GeometryCollection([MultiPolygon([small, large]), LineString([(0, 0), (1, 1)])])
+    assert [p.area for p in polygons_of(mixed)] == [large.area, small.area]
+
+
+def test_stock_to_leave_without_end_leaves_no_room():
+    assert grow(box(0, 0, 40, 20), -1e99).is_empty
 
 
 def test_cutter_wider_than_the_pocket_is_told_with_the_width():
