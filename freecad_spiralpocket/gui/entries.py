@@ -28,6 +28,8 @@ translate = FreeCAD.Qt.translate
 UNREADABLE = (RuntimeError, ValueError, ArithmeticError, TypeError, AttributeError, NameError)
 #: Digits that a value is shown with where FreeCAD's decimals hide some, and decimals at most.
 DIGITS, MOST_DECIMALS = 6, 9
+#: A larger length, speed or angle (mm, mm/s, deg) is a slip of the hand, whatever the box allows.
+MOST = 1e6
 
 
 @dataclass(frozen=True)
@@ -199,13 +201,14 @@ class Entry:
 
     def _advice(self, typed: str) -> str:
         low, high = self._limits()
-        if self.scale.read(typed, self._obj) is None:
+        value = self.scale.read(typed, self._obj)
+        if value is None:
             if not self.scale.unit:
                 return translate("SpiralPocket", "Type a number.")
             return translate("SpiralPocket", "Type a number; without a unit it is in {}.").format(
                 self.scale.unit
             )
-        if math.isinf(high):
+        if high == MOST and value < low:
             return translate("SpiralPocket", "Type {} or more.").format(self.scale.text(low))
         if self._is_positive:
             return translate("SpiralPocket", "Type more than 0, at most {}.").format(
@@ -241,9 +244,9 @@ class Entry:
         return text.endswith(self.scale.unit) and (is_whole or not self._is_exact)
 
     def _limits(self) -> tuple[float, float]:
-        """Return the least and the largest value, infinite where the box has none."""
+        """Return the least and the largest value."""
         low, high = (float(self.box.property(name)) for name in ("minimum", "maximum"))
-        return (low if low > -1e9 else -math.inf), (high if high < 1e9 else math.inf)
+        return max(low, -MOST), min(high, MOST)
 
     def _allows(self, value: float) -> bool:
         low, high = self._limits()

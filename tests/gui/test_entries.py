@@ -129,6 +129,9 @@ REFUSED = [
     ("tolerance", "-1"),
     ("slowdownPercent", "500"),
     ("maxFeedRatio", "20"),
+    ("stockToLeave", "1e99"),
+    ("stockToLeave", "-1e99"),
+    ("slotBite", "1e99"),
 ]
 
 
