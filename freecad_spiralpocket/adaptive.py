@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 import shapely
 
+from .engine.checks import check_request
 from .engine.errors import SetupError, SpiralPocketError
 from .engine.levels import floors
 from .engine.machine import machine_of
@@ -41,8 +42,9 @@ def plan_adaptive(request: PocketRequest) -> Plan:
     Raises
     ------
     SpiralPocketError
-        If this FreeCAD has no such library, or it finds no path.
+        If this FreeCAD has no such library, or it finds no path, or no path could be cut.
     """
+    check_request(request)
     toolpath = _toolpath(_regions(request), request)
     request = replace(request, machine=machine_of(request))
     return Plan(request, toolpath, prove(request, toolpath))

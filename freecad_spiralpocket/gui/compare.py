@@ -23,9 +23,10 @@ from ..engine.model import PocketRequest, Strategy
 from . import planning
 from .comparepicture import picture_of
 from .lane import Job
+from .localized import in_panel
 from .outlook import Outlook
 from .previewcolors import OVER_LIMIT, Scale
-from .resulttext import duration, length, small
+from .resulttext import area, duration, length, small
 from .themecolors import theme
 
 translate = FreeCAD.Qt.translate
@@ -80,6 +81,7 @@ class Comparison:
     def __init__(self, strategies: Any) -> None:
         self._strategies = strategies
         self._requests: list[PocketRequest] = []
+        self._is_begun = False
         self.cards: list[Card] = []
         self.dialog = QtGui.QDialog(FreeCADGui.getMainWindow())
         self.dialog.setObjectName("SpiralPocketCompare")
@@ -106,15 +108,15 @@ class Comparison:
 
     def show(self, requests: list[PocketRequest]) -> None:
         """Compare on one of these pockets, at first the largest; begin anew if it is another."""
-        if requests == self._requests:
+        if requests == self._requests and self._is_begun:
             return
-        self._requests = requests
+        self._requests, self._is_begun = requests, True
         blocker = QtCore.QSignalBlocker(self.pocket)
         chosen = self.pocket.currentIndex()
         self.pocket.clear()
         for number, request in enumerate(requests, start=1):
-            text = translate("SpiralPocket", "Pocket {}, {:.0f} mm²")
-            self.pocket.addItem(text.format(number, request.pocket.area))
+            text = translate("SpiralPocket", "Pocket {}, {}")
+            self.pocket.addItem(text.format(number, area(request.pocket.area)))
         largest = int(np.argmax([r.pocket.area for r in requests])) if requests else -1
         self.pocket.setCurrentIndex(chosen if 0 <= chosen < len(requests) else largest)
         self.pocket.setVisible(len(requests) > 1)
@@ -132,6 +134,9 @@ class Comparison:
         self._end()
         index = self.pocket.currentIndex()
         if not 0 <= index < len(self._requests):
+            self.heading.setText(
+                translate("SpiralPocket", "No pocket: the first line of the panel says why.")
+            )
             return
         request = self._requests[index]
         self.heading.setText(
@@ -256,7 +261,7 @@ class Card:
     def _show(self, outcome: Drawn | SpiralPocketError) -> None:
         if isinstance(outcome, SpiralPocketError):
             self.picture.setText(translate("SpiralPocket", "No path"))
-            self.text.setText(str(outcome))
+            self.text.setText(in_panel(str(outcome)))
             return
         limit = float(np.degrees(outcome.plan.request.engagement_limit))
         scale = Scale("engagement", min(180.0, OVER_LIMIT * limit), limit)

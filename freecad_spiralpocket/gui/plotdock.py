@@ -18,6 +18,7 @@ from PySide import QtCore, QtGui
 
 from ..engine.errors import SetupError
 from .plotdata import MATERIAL, Curves
+from .resulttext import feed_unit
 from .themecolors import theme
 
 translate = FreeCAD.Qt.translate
@@ -79,6 +80,9 @@ class PlotDock:
         self._note: Any = None
         if curves is not None:
             self._plot(curves, text, background)
+        else:
+            nothing = translate("SpiralPocket", "No path: the first line of the panel says why.")
+            self._figure.text(0.5, 0.5, nothing, color=text, ha="center", va="center")
         self._background = None
         self.canvas.draw_idle()
 
@@ -104,10 +108,14 @@ class PlotDock:
         self.canvas.blit(self._figure.bbox)
 
     def _plot(self, curves: Curves, text: str, background: str) -> None:
+        factor, unit = feed_unit()
         rows = [
             (translate("SpiralPocket", "Engagement [°]"), curves.engagement),
-            (translate("SpiralPocket", "Programmed feed [mm/min]"), curves.feed),
-            (translate("SpiralPocket", "The machine's velocity [mm/min]"), curves.velocity),
+            (translate("SpiralPocket", "Programmed feed [{}]").format(unit), curves.feed / factor),
+            (
+                translate("SpiralPocket", "The machine's velocity [{}]").format(unit),
+                curves.velocity / factor,
+            ),
         ]
         if curves.force is not None:
             force = translate("SpiralPocket", "Mean cutting force in {} [N]")
@@ -151,7 +159,8 @@ class PlotDock:
         assert curves is not None
         at = min(int(np.searchsorted(curves.clock, seconds)), len(curves.clock) - 1)
         texts = [f"{seconds:.1f} s", f"{np.nan_to_num(curves.engagement[at]):.0f}°"]
-        texts.append(f"{curves.velocity[at]:.0f} mm/min")
+        factor, unit = feed_unit()
+        texts.append(f"{curves.velocity[at] / factor:.0f} {unit}")
         if curves.force is not None:
             texts.append(f"{np.nan_to_num(curves.force[at]):.0f} N")
         return "   ".join(texts)

@@ -23,7 +23,7 @@ class Plots:
     def __init__(self, page: Any) -> None:
         self._page = page
         self._outlook = Outlook.of(page)
-        self._shown: list[int] = []
+        self._shown: tuple[Any, ...] | None = None
         self.dock: PlotDock | None = None
         self.button = QtGui.QPushButton(translate("SpiralPocket", "Plots"))
         self.button.setToolTip(
@@ -60,7 +60,7 @@ class Plots:
             messages.show(error)
             return
         self.dock.dock.visibilityChanged.connect(self._hidden)
-        self._shown = []
+        self._shown = None
         self._update()
 
     def _hidden(self, visible: bool) -> None:
@@ -73,7 +73,12 @@ class Plots:
         if self.dock is None:
             return
         drawn = [p.drawn for p in self._outlook.pockets] if self._outlook.plans else []
-        if [id(d) for d in drawn] != self._shown or not drawn:
-            self._shown = [id(d) for d in drawn]
-            controller = self._page.obj.ToolController
+        if not drawn and not self._outlook.is_settled:
+            return  # what is drawn stays until there is something new
+        controller = self._page.obj.ToolController
+        tool = controller.Proxy.getTool(controller) if drawn else None
+        forces = (controller.SpindleSpeed, getattr(tool, "Flutes", 0)) if drawn else ()
+        shown = (*map(id, drawn), *forces)
+        if shown != self._shown:
+            self._shown = shown
             self.dock.show(curves_of(drawn, controller) if drawn else None)

@@ -20,7 +20,7 @@ from .outlook import Outlook, Pocket
 from .previewbox import PreviewBox
 from .previewcolors import OVER_LIMIT, Scale, is_cut
 from .previewscene import DraftItem, PathItem, Scene
-from .resulttext import switched_off
+from .resulttext import feed_unit, switched_off
 
 translate = FreeCAD.Qt.translate
 
@@ -98,7 +98,8 @@ class Preview:
         if quantity == "feed":
             feeds = [float(d.trace.feeds[is_cut(d.trace)].max(initial=0)) for d in self._drawn()]
             planned = [r.feeds.horizontal for r in requests]
-            return Scale(quantity, 60 * max([*feeds, *planned], default=1.0))
+            unit, _ = feed_unit()
+            return Scale(quantity, 60 / unit * max([*feeds, *planned], default=1.0), unit=unit)
         limit = float(np.degrees(max((r.engagement_limit for r in requests), default=np.pi)))
         return Scale(quantity, min(180.0, OVER_LIMIT * limit), limit)
 

@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 from .compat import check_box_signal, freecad_icon
 from .previewlegend import ColorBar, Swatches
-from .resulttext import duration
+from .resulttext import duration, feed_unit
 
 translate = FreeCAD.Qt.translate
 
@@ -49,7 +49,8 @@ class PreviewBox(QtGui.QWidget):
         self.live.setChecked(True)
         self.quantity = QtGui.QComboBox()
         self.quantity.addItem(translate("SpiralPocket", "Engagement [°]"), "engagement")
-        self.quantity.addItem(translate("SpiralPocket", "Feed [mm/min]"), "feed")
+        feed = translate("SpiralPocket", "Feed [{}]").format(feed_unit()[1])
+        self.quantity.addItem(feed, "feed")
         self.quantity.setToolTip(translate("SpiralPocket", "What the colors of the cut show"))
         # FreeCAD 0.20 opens with a narrow panel, which would be cut off at the right
         self.quantity.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)

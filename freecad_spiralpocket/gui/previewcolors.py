@@ -59,20 +59,25 @@ class Scale:
     Attributes
     ----------
     quantity : str
-        "engagement" [deg] or "feed" [mm/min].
+        "engagement" [deg] or "feed".
     top : float
         Value of the last color; the first stands for 0.
     mark : float or None
         A value that is marked: the limit.
+    unit : float
+        What feeds are counted in [mm/min].
     """
 
     quantity: str
     top: float
     mark: float | None = None
+    unit: float = 1.0
 
     def values(self, trace: Trace) -> Floats:
         """Return the quantity of each stretch of a trace."""
-        return np.degrees(trace.angles) if self.quantity == "engagement" else trace.feeds * 60
+        if self.quantity == "engagement":
+            return np.degrees(trace.angles)
+        return trace.feeds * 60 / self.unit
 
     def colors(self, trace: Trace) -> Floats:
         """Return the color of each stretch, shape (n, 3)."""

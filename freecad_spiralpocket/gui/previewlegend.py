@@ -10,6 +10,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from . import previewcolors as colors
+from .resulttext import feed_unit
 
 translate = FreeCAD.Qt.translate
 
@@ -37,7 +38,7 @@ class ColorBar(QtGui.QWidget):
     def set_scale(self, scale: colors.Scale) -> None:
         """Show another scale."""
         self._scale = scale
-        tip = f"0 - {scale.top:.0f} {self._unit or translate('SpiralPocket', 'mm/min')}"
+        tip = f"0 - {scale.top:.0f} {self._unit or feed_unit()[1]}"
         if scale.mark is not None:
             limit = translate("SpiralPocket", "The mark is the limit at the step-over: {:.0f}°")
             tip += "\n" + limit.format(scale.mark)

@@ -33,6 +33,17 @@ def length(value: float) -> str:
     return f"{_decimal(value / 1000, 2)} m"
 
 
+def area(value: float) -> str:
+    """Return the area of a pocket [mm2] in the user's unit."""
+    return f"{value:.0f} mm²" if _user_unit()[1].endswith("m") else small(value, power=2)
+
+
+def feed_unit() -> tuple[float, str]:
+    """Return how many mm/min the user's unit of feeds is, and its name."""
+    factor, unit = _user_unit()
+    return (1.0, "mm/min") if unit.endswith("m") else (factor, f"{unit}/min")
+
+
 def duration(seconds: float) -> str:
     """Return e.g. ``1 h 02 min``, ``3 min 05 s``, ``12 s``; unknown for 0."""
     whole = round(seconds)

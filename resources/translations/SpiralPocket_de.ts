@@ -164,8 +164,8 @@
         <translation>Strategien vergleichen</translation>
     </message>
     <message>
-        <source>Pocket {}, {:.0f} mm²</source>
-        <translation>Tasche {}, {:.0f} mm²</translation>
+        <source>Pocket {}, {}</source>
+        <translation>Tasche {}, {}</translation>
     </message>
     <message>
         <source>Use this</source>
@@ -194,6 +194,10 @@
     <message>
         <source>Left uncut in reach</source>
         <translation>Ungeschnitten in Reichweite</translation>
+    </message>
+    <message>
+        <source>No pocket: the first line of the panel says why.</source>
+        <translation>Keine Tasche: Die erste Zeile des Panels sagt, warum.</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -268,20 +272,16 @@
         <translation>Diagramme der Spiraltasche</translation>
     </message>
     <message>
+        <source>No path: the first line of the panel says why.</source>
+        <translation>Kein Pfad: Die erste Zeile des Panels sagt, warum.</translation>
+    </message>
+    <message>
         <source>Mean cutting force in {} [N]</source>
         <translation>Mittlere Schnittkraft in {} [N]</translation>
     </message>
     <message>
         <source>Engagement [°]</source>
         <translation>Eingriff [°]</translation>
-    </message>
-    <message>
-        <source>Programmed feed [mm/min]</source>
-        <translation>Programmierter Vorschub [mm/min]</translation>
-    </message>
-    <message>
-        <source>The machine's velocity [mm/min]</source>
-        <translation>Geschwindigkeit der Maschine [mm/min]</translation>
     </message>
     <message>
         <source>Time [s]</source>
@@ -298,6 +298,14 @@
     <message>
         <source>Install it with the Addon Manager or pip.</source>
         <translation>Mit dem Addon-Manager oder pip installieren.</translation>
+    </message>
+    <message>
+        <source>Programmed feed [{}]</source>
+        <translation>Programmierter Vorschub [{}]</translation>
+    </message>
+    <message>
+        <source>The machine's velocity [{}]</source>
+        <translation>Geschwindigkeit der Maschine [{}]</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -336,10 +344,6 @@
         <translation>Den Pfad bei jeder Änderung neu zeichnen</translation>
     </message>
     <message>
-        <source>Feed [mm/min]</source>
-        <translation>Vorschub [mm/min]</translation>
-    </message>
-    <message>
         <source>What the colors of the cut show</source>
         <translation>Was die Farben des Schnitts zeigen</translation>
     </message>
@@ -350,6 +354,10 @@
     <message>
         <source>How far the cut is shown</source>
         <translation>Wie weit der Schnitt gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>Vorschub [{}]</translation>
     </message>
     <message>
         <source>Color by</source>
@@ -382,10 +390,6 @@
     <message>
         <source>island</source>
         <translation>Insel</translation>
-    </message>
-    <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
     </message>
     <message>
         <source>Stop</source>

@@ -164,8 +164,8 @@
         <translation>Comparar estrategias</translation>
     </message>
     <message>
-        <source>Pocket {}, {:.0f} mm²</source>
-        <translation>Cajera {}, {:.0f} mm²</translation>
+        <source>Pocket {}, {}</source>
+        <translation>Cajera {}, {}</translation>
     </message>
     <message>
         <source>Use this</source>
@@ -194,6 +194,10 @@
     <message>
         <source>Left uncut in reach</source>
         <translation>Sin cortar al alcance</translation>
+    </message>
+    <message>
+        <source>No pocket: the first line of the panel says why.</source>
+        <translation>No hay cajera: la primera línea del panel dice por qué.</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -268,20 +272,16 @@
         <translation>Gráficos de la cajera en espiral</translation>
     </message>
     <message>
+        <source>No path: the first line of the panel says why.</source>
+        <translation>No hay trayectoria: la primera línea del panel dice por qué.</translation>
+    </message>
+    <message>
         <source>Mean cutting force in {} [N]</source>
         <translation>Fuerza de corte media en {} [N]</translation>
     </message>
     <message>
         <source>Engagement [°]</source>
         <translation>Contacto [°]</translation>
-    </message>
-    <message>
-        <source>Programmed feed [mm/min]</source>
-        <translation>Avance programado [mm/min]</translation>
-    </message>
-    <message>
-        <source>The machine's velocity [mm/min]</source>
-        <translation>Velocidad de la máquina [mm/min]</translation>
     </message>
     <message>
         <source>Time [s]</source>
@@ -298,6 +298,14 @@
     <message>
         <source>Install it with the Addon Manager or pip.</source>
         <translation>Instálela con el gestor de complementos o pip.</translation>
+    </message>
+    <message>
+        <source>Programmed feed [{}]</source>
+        <translation>Avance programado [{}]</translation>
+    </message>
+    <message>
+        <source>The machine's velocity [{}]</source>
+        <translation>Velocidad de la máquina [{}]</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -336,10 +344,6 @@
         <translation>Redibujar la trayectoria con cada cambio</translation>
     </message>
     <message>
-        <source>Feed [mm/min]</source>
-        <translation>Avance [mm/min]</translation>
-    </message>
-    <message>
         <source>What the colors of the cut show</source>
         <translation>Qué muestran los colores del corte</translation>
     </message>
@@ -350,6 +354,10 @@
     <message>
         <source>How far the cut is shown</source>
         <translation>Hasta dónde se muestra el corte</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>Avance [{}]</translation>
     </message>
     <message>
         <source>Color by</source>
@@ -382,10 +390,6 @@
     <message>
         <source>island</source>
         <translation>isla</translation>
-    </message>
-    <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
     </message>
     <message>
         <source>Stop</source>

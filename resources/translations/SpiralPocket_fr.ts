@@ -164,8 +164,8 @@
         <translation>Comparer les stratégies</translation>
     </message>
     <message>
-        <source>Pocket {}, {:.0f} mm²</source>
-        <translation>Poche {}, {:.0f} mm²</translation>
+        <source>Pocket {}, {}</source>
+        <translation>Poche {}, {}</translation>
     </message>
     <message>
         <source>Use this</source>
@@ -194,6 +194,10 @@
     <message>
         <source>Left uncut in reach</source>
         <translation>Non usiné à portée</translation>
+    </message>
+    <message>
+        <source>No pocket: the first line of the panel says why.</source>
+        <translation>Pas de poche : la première ligne du panneau dit pourquoi.</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -268,20 +272,16 @@
         <translation>Graphiques de la poche en spirale</translation>
     </message>
     <message>
+        <source>No path: the first line of the panel says why.</source>
+        <translation>Pas de parcours : la première ligne du panneau dit pourquoi.</translation>
+    </message>
+    <message>
         <source>Mean cutting force in {} [N]</source>
         <translation>Effort de coupe moyen dans {} [N]</translation>
     </message>
     <message>
         <source>Engagement [°]</source>
         <translation>Engagement [°]</translation>
-    </message>
-    <message>
-        <source>Programmed feed [mm/min]</source>
-        <translation>Avance programmée [mm/min]</translation>
-    </message>
-    <message>
-        <source>The machine's velocity [mm/min]</source>
-        <translation>Vitesse de la machine [mm/min]</translation>
     </message>
     <message>
         <source>Time [s]</source>
@@ -298,6 +298,14 @@
     <message>
         <source>Install it with the Addon Manager or pip.</source>
         <translation>Installez-la avec le gestionnaire d'extensions ou pip.</translation>
+    </message>
+    <message>
+        <source>Programmed feed [{}]</source>
+        <translation>Avance programmée [{}]</translation>
+    </message>
+    <message>
+        <source>The machine's velocity [{}]</source>
+        <translation>Vitesse de la machine [{}]</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -336,10 +344,6 @@
         <translation>Redessiner le parcours à chaque changement</translation>
     </message>
     <message>
-        <source>Feed [mm/min]</source>
-        <translation>Avance [mm/min]</translation>
-    </message>
-    <message>
         <source>What the colors of the cut show</source>
         <translation>Ce que montrent les couleurs de la coupe</translation>
     </message>
@@ -350,6 +354,10 @@
     <message>
         <source>How far the cut is shown</source>
         <translation>Jusqu'où la coupe est montrée</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>Avance [{}]</translation>
     </message>
     <message>
         <source>Color by</source>
@@ -382,10 +390,6 @@
     <message>
         <source>island</source>
         <translation>îlot</translation>
-    </message>
-    <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
     </message>
     <message>
         <source>Stop</source>

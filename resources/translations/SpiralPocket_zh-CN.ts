@@ -164,8 +164,8 @@
         <translation>比较策略</translation>
     </message>
     <message>
-        <source>Pocket {}, {:.0f} mm²</source>
-        <translation>型腔 {}，{:.0f} mm²</translation>
+        <source>Pocket {}, {}</source>
+        <translation>型腔 {}，{}</translation>
     </message>
     <message>
         <source>Use this</source>
@@ -194,6 +194,10 @@
     <message>
         <source>Left uncut in reach</source>
         <translation>可及范围内未切削</translation>
+    </message>
+    <message>
+        <source>No pocket: the first line of the panel says why.</source>
+        <translation>没有型腔：面板第一行说明了原因。</translation>
     </message>
     <message>
         <source>the fastest that keeps the limit of engagement</source>
@@ -268,20 +272,16 @@
         <translation>螺旋型腔图表</translation>
     </message>
     <message>
+        <source>No path: the first line of the panel says why.</source>
+        <translation>没有刀路：面板第一行说明了原因。</translation>
+    </message>
+    <message>
         <source>Mean cutting force in {} [N]</source>
         <translation>{} 中的平均切削力 [N]</translation>
     </message>
     <message>
         <source>Engagement [°]</source>
         <translation>啮合角 [°]</translation>
-    </message>
-    <message>
-        <source>Programmed feed [mm/min]</source>
-        <translation>编程进给 [mm/min]</translation>
-    </message>
-    <message>
-        <source>The machine's velocity [mm/min]</source>
-        <translation>机床速度 [mm/min]</translation>
     </message>
     <message>
         <source>Time [s]</source>
@@ -298,6 +298,14 @@
     <message>
         <source>Install it with the Addon Manager or pip.</source>
         <translation>请用插件管理器或 pip 安装。</translation>
+    </message>
+    <message>
+        <source>Programmed feed [{}]</source>
+        <translation>编程进给 [{}]</translation>
+    </message>
+    <message>
+        <source>The machine's velocity [{}]</source>
+        <translation>机床速度 [{}]</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -336,10 +344,6 @@
         <translation>数值更改时重新绘制刀路</translation>
     </message>
     <message>
-        <source>Feed [mm/min]</source>
-        <translation>进给 [mm/min]</translation>
-    </message>
-    <message>
         <source>What the colors of the cut show</source>
         <translation>切削颜色的含义</translation>
     </message>
@@ -350,6 +354,10 @@
     <message>
         <source>How far the cut is shown</source>
         <translation>切削显示进度</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>进给 [{}]</translation>
     </message>
     <message>
         <source>Color by</source>
@@ -382,10 +390,6 @@
     <message>
         <source>island</source>
         <translation>岛屿</translation>
-    </message>
-    <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
     </message>
     <message>
         <source>Stop</source>

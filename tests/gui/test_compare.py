@@ -103,3 +103,24 @@ def test_comparison_follows_a_change(compared):
     wait_for(lambda: all(c.text.text() for c in cards()), 120)
     assert cards()[0].seconds > first
     press(CANCEL)
+
+
+def test_errors_are_told_in_the_panels_words(opened):
+    widget("helixAngle").setProperty("rawValue", 0.0)
+    wait_for(lambda: page().outlook.is_settled, 60)
+    page().compare.button.click()
+    wait_for(lambda: all(c.text.text() for c in cards()), 120)
+    assert '"Helix ramp angle"' in cards()[0].text.text()
+    press(CANCEL)
+
+
+def test_comparison_of_nothing_says_so(opened):
+    page().preview.box.live.setChecked(False)
+    page().compare.button.click()
+    window = page().compare.window
+    assert not cards() and not window.pocket.isVisible()
+    assert "No pocket" in window.heading.text()
+    page().preview.box.live.setChecked(True)
+    wait_for(lambda: len(cards()) == len(Strategy) + 1)
+    assert "No pocket" not in window.heading.text()
+    press(CANCEL)

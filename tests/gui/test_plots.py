@@ -97,3 +97,36 @@ def test_missing_matplotlib_is_said(opened, monkeypatch):
     assert len(answer.texts) == 1 and "matplotlib" in answer.texts[0]
     assert not page().plots.button.isChecked() and not docks()
     press(CANCEL)
+
+
+def test_plots_without_a_path_say_so(opened):
+    pytest.importorskip("matplotlib")
+    page().plots.button.setChecked(True)
+    dock = page().plots.dock
+    widget("helixAngle").setProperty("rawValue", 0.0)
+    wait_for(lambda: page().outlook.is_settled, 60)
+    assert not dock._figure.axes and "No path" in dock._figure.texts[0].get_text()
+    widget("helixAngle").setProperty("rawValue", 5.0)
+    wait_for(lambda: page().outlook.is_settled, 60)
+    assert len(dock._figure.axes) == 4 and not dock._figure.texts
+    press(CANCEL)
+
+
+def test_plots_stay_until_there_are_others(opened):
+    pytest.importorskip("matplotlib")
+    page().plots.button.setChecked(True)
+    widget("stepOverPercent").setValue(7)
+    seen = []
+    dock = page().plots.dock
+    wait_for(lambda: seen.append(dock._curves) or page().outlook.is_settled, 60)
+    assert all(curves is not None for curves in seen)
+    press(CANCEL)
+
+
+def test_forces_follow_the_spindle_speed(opened):
+    pytest.importorskip("matplotlib")
+    page().plots.button.setChecked(True)
+    force = np.nanmax(page().plots.dock._curves.force)
+    opened.ToolController.SpindleSpeed = 6000
+    wait_for(lambda: np.nanmax(page().plots.dock._curves.force) > force)
+    press(CANCEL)
