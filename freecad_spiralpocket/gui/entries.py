@@ -192,6 +192,14 @@ class Entry:
             return None
         return value
 
+    def enter(self, value: float) -> None:
+        """Enter a value with all its decimals for the user, who has typed nothing."""
+        text = self.scale.text(value)
+        self._set_text(text)
+        self._line.textEdited.emit(text)
+        if not self.is_refused:
+            self.show(value)
+
     def refusal(self) -> tuple[str, str]:
         """Return what was typed in vain and what to type instead."""
         typed = self._typed or ""

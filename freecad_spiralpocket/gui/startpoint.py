@@ -69,7 +69,7 @@ class StartPointField:
         if place is not None:
             self.check.setChecked(True)
             for axis, entry in self._entries.items():
-                entry.box.setProperty("rawValue", getattr(place, axis))
+                entry.enter(getattr(place, axis))
 
     def _enable(self) -> None:
         for box in self._boxes:

@@ -2,6 +2,8 @@
 """The panel speaks the user's unit, and is used from the keyboard."""
 
 import FreeCAD
+import FreeCADGui
+import numpy as np
 import pytest
 from window import (
     CANCEL,
@@ -15,6 +17,7 @@ from window import (
     pump,
     select,
     type_into,
+    wait_for,
     widget,
 )
 
@@ -169,3 +172,28 @@ def test_the_tab_key_follows_the_page(operation):
             found.append(box.objectName())
         box = box.nextInFocusChain()
     assert found == TAB_ORDER
+
+
+def test_feeds_are_told_in_the_users_unit(inches, operation):
+    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    box = panel().operation_page.preview.box
+    box.quantity.setCurrentIndex(1)
+    assert box.quantity.currentText() == "Feed [in/min]"
+    assert box.bar.toolTip() == "0 - 59 in/min"  # 1500 mm/min
+    pytest.importorskip("matplotlib")
+    panel().operation_page.plots.button.setChecked(True)
+    axes = panel().operation_page.plots.dock._figure.axes
+    assert axes[2].get_title(loc="left") == "Programmed feed [in/min]"
+    assert 58 < np.nanmax(axes[2].lines[0].get_ydata()) < 60
+
+
+def test_picked_start_point_keeps_its_decimals(inches, operation):
+    model, (face,) = operation.Base[0]
+    FreeCADGui.Selection.addSelection(model, face, 20.123, 15.001, -6.0)
+    pump()
+    widget("pickStartPoint").click()
+    pump()
+    assert operation.UseStartPoint
+    assert tuple(operation.StartPoint) == pytest.approx((20.123, 15.001, 0), abs=1e-4)
+    assert text(widget("startPointX")) == ["0.792244", "in"]
+    FreeCADGui.Selection.clearSelection()
