@@ -83,9 +83,13 @@ class Outlook:
     def changed(self) -> None:
         """Look at the operation soon."""
         self.is_stopped = False
-        if self.is_on and not self._is_closed:
+        if self._is_closed:
+            return
+        if self.is_on:
             self._soon.start(SOON)
             self._quiet.start(QUIET)
+        else:
+            self._news.start(SOON)  # the path is out of date
 
     def computed(self) -> None:
         """Look again; after Stop nothing goes on until the next change."""

@@ -15,7 +15,15 @@ from PySide import QtCore, QtGui
 from .compat import freecad_icon
 from .localized import in_panel
 from .outlook import Outlook
-from .resultfigures import Place, Remark, figures_of, is_applied, remarks_of, summary_of
+from .resultfigures import (
+    Place,
+    Remark,
+    figures_of,
+    is_applied,
+    made_plans,
+    remarks_of,
+    summary_of,
+)
 from .resulttext import switched_off
 from .zoom import zoom_to
 
@@ -91,10 +99,10 @@ class ResultBox:
         Until there is something new, what stands there stays, in grey, but for the first line of
         the page: the panel must not jump while a value is typed.
         """
-        plans = self._outlook.plans
+        plans = self._outlook.plans or made_plans(self._obj, self._outlook)
         applied = is_applied(self._obj, plans)
         refusals = [Remark(text) for text in self._page.refusals]
-        remarks = [*refusals, *remarks_of(self._obj, self._outlook)]
+        remarks = [*refusals, *remarks_of(self._obj, self._outlook, plans)]
         state = self._state_of(bool(plans), applied)
         is_known = bool(plans) or self._outlook.is_settled
         shown = ([id(p) for p in plans], state, remarks, is_known)
@@ -134,7 +142,9 @@ class ResultBox:
 
     def _show_figures(self, figures: list[tuple[str, str]]) -> None:
         while self.figures.count():
-            self.figures.takeAt(0).widget().deleteLater()
+            old = self.figures.takeAt(0).widget()
+            old.hide()  # a message box may keep it alive for long
+            old.deleteLater()
         for row, (name, value) in enumerate(figures):
             label = QtGui.QLabel(value)
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
@@ -164,7 +174,7 @@ class ResultBox:
 
     def show_place(self, place: Place) -> None:
         """Bring the view to a place and set the cutter on it."""
-        radius = self._outlook.pockets[0].request.cutter_radius
+        radius = self._obj.OpToolDiameter.Value / 2
         view = FreeCADGui.getDocument(self._obj.Document.Name).ActiveView
         if hasattr(view, "getCameraNode"):
             zoom_to(view, place, 2 * SHOWN * radius)

@@ -11,7 +11,7 @@ import FreeCAD
 import numpy as np
 import Path
 
-from ..engine.errors import SpiralPocketError
+from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Notice, Plan
 from ..op import commands, request, results
 from .localized import in_panel
@@ -104,20 +104,30 @@ def is_applied(obj: Any, plans: Sequence[Plan]) -> bool:
     return bool(plans) and len(made) == len(plans) and all(map(_is_same, made, plans))
 
 
-def remarks_of(obj: Any, outlook: Outlook) -> list[Remark]:
-    """Return what is to be told of the path, or why there is none.
+def made_plans(obj: Any, outlook: Outlook) -> Sequence[Plan]:
+    """Return the plans of the operation's path, if nobody looks ahead and it is up to date."""
+    return () if outlook.is_on or "Touched" in obj.State else obj.Proxy.plans
+
+
+def remarks_of(obj: Any, outlook: Outlook, plans: Sequence[Plan]) -> list[Remark]:
+    """Return what is to be told of the path, or first why there is none.
 
     What the operation has noted is told while it is up to date: what was changed since may need
     a remark though the path stays the same.
     """
     top = outlook.pockets[0].request.heights.start_depth if outlook.pockets else 0.0
-    known: list[tuple[Notice | SpiralPocketError, float]] = [(n, top) for n in outlook.notices]
+    known: list[tuple[Notice | SpiralPocketError, float]] = []
+    known += [(p.error, p.request.heights.start_depth) for p in outlook.pockets if p.error]
+    known += [(notice, top) for notice in outlook.notices]
     for pocket in outlook.pockets:
-        drawn = pocket.drawn
-        found = [pocket.error] if pocket.error else drawn.plan.report.notices if drawn else ()
+        found = pocket.drawn.plan.report.notices if pocket.drawn else ()
         known += [(notice, pocket.request.heights.start_depth) for notice in found]
-    if is_applied(obj, outlook.plans) and "Touched" not in obj.State:
+    if not outlook.is_on:
+        known = [(n, p.request.heights.start_depth) for p in plans for n in p.report.notices]
+    if is_applied(obj, plans) and "Touched" not in obj.State:
         return [Remark(text, _place_in(text, known)) for text in obj.Notices]
+    if not outlook.is_on and "Touched" not in obj.State:
+        return [Remark(str(e)) for e in obj.Proxy.errors if not isinstance(e, CancelledError)]
     remarks = [Remark(str(problem)) for problem in outlook.problems]
     remarks += [Remark(str(notice), _place(notice, z)) for notice, z in known]
     return list(dict.fromkeys(remarks))
