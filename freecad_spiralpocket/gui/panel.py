@@ -61,6 +61,15 @@ ADVANCED = (
 INPUTS = {*option_names(), *INHERITED, "Base", "ToolController", "OpToolDiameter"}
 
 
+#: What of a tool controller and of its tool path, time, forces and remarks depend on; versions of
+#: FreeCAD and kinds of tools lack some.
+OF_CONTROLLER = (
+    *("Label", "ToolNumber", "HorizFeed", "VertFeed", "HorizRapid", "VertRapid"),
+    *("SpindleSpeed", "SpindleDir"),
+)
+OF_TOOL = ("Label", "Diameter", "CuttingEdgeHeight", "Flutes", "ShapeType", "ShapeName", "ToolType")
+
+
 class OperationPage(PathOpGui.TaskPanelPage):
     """The operation's own page; FreeCAD calls its methods."""
 
@@ -71,6 +80,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
     was_changed = False  # while writing
     is_closed = False
     refusals: Sequence[str] = ()  # what to say of what was typed in vain
+    tool: tuple[str, ...] = ()  # as it was last looked at
 
     def getForm(self) -> Any:  # noqa: N802 - the name FreeCAD calls
         """Return the page's widgets."""
@@ -90,6 +100,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
             self.start_point,
         ]
         self.form.advanced.setChecked(is_advanced(obj))
+        self.tool = tool_of(obj)
         self.extras = [make(self) for make in FACTORIES]
         self.boxes = [box for box in [extra.widget() for extra in self.extras] if box is not None]
 
@@ -180,6 +191,23 @@ class OperationPage(PathOpGui.TaskPanelPage):
         if prop in INPUTS or prop == "ExpressionEngine":
             self.tell_changed()
 
+    def update_tool(self, changed: Any) -> None:
+        """Follow a change of the tool controller or of its tool, in its editor or elsewhere."""
+        controller = self.obj.ToolController
+        if changed not in (controller, getattr(controller, "Tool", None)):
+            return
+        tool = tool_of(self.obj)
+        if tool != self.tool:  # the editor writes everything with every key stroke
+            self.tool = tool
+            if not self.is_writing:
+                self.step_over.show()
+            self.tell_changed()
+
+    def look_again(self) -> None:
+        """Look whether a recompute has changed part, stock or earlier operations."""
+        for extra in self.extras:
+            extra.changed()
+
     def updateSelection(self, obj: Any, sel: Any) -> None:  # noqa: N802
         """Let the start point be taken from what was clicked."""
         self.start_point.enable_button(sel)
@@ -204,6 +232,17 @@ class OperationPage(PathOpGui.TaskPanelPage):
         extras, self.extras = self.extras, ()
         for extra in extras:
             extra.close()
+
+
+def tool_of(obj: Any) -> tuple[str, ...]:
+    """Return all of the operation's tool that the path depends on."""
+    controller = obj.ToolController
+    tool = getattr(controller, "Tool", None)
+    return tuple(
+        str(getattr(holder, name, None))
+        for holder, names in ((controller, OF_CONTROLLER), (tool, OF_TOOL))
+        for name in names
+    )
 
 
 def is_advanced(obj: Any) -> bool:

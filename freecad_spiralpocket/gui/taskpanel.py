@@ -138,6 +138,16 @@ class TaskPanel(PathOpGui.TaskPanel):
         FreeCADGui.getDocument(self.document.Name).resetEdit()
         _close_transaction(abort=False)
 
+    def slotChangedObject(self, changed: Any, name: str) -> None:  # noqa: N802 - as above
+        """Follow the tool, which has an editor in the panel since 1.1."""
+        if self.is_open and not self.document.Transacting and not self.obj.Removing:
+            self.operation_page.update_tool(changed)
+
+    def slotRecomputedDocument(self, document: Any) -> None:  # noqa: N802 - as above
+        """Follow part, stock and earlier operations."""
+        if document == self.document and self.is_open:
+            self.operation_page.look_again()
+
     def slotUndoDocument(self, document: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Close, once the Undo is through."""
         if document == self.document:

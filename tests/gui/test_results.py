@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The result box tells the figures of the path on show, and brings one to what it remarks."""
 
+import FreeCAD
 import FreeCADGui
 import numpy as np
 import Part
 import pytest
-from conftest import DEPTH, add_job, floors
+from conftest import DEPTH, add_job, floors, plate
 from FreeCAD import Vector
 from pivy import coin
+from PySide import QtCore
 from window import (
     APPLY,
     CANCEL,
     OK,
+    answered,
     edit,
     panel,
     pixels_that_differ,
@@ -179,10 +182,82 @@ def test_rounded_tool_is_told_before_it_cuts(job, floor, monkeypatch):
 
 
 def test_first_line_says_that_live_is_off(opened):
-    press(APPLY)
     page().preview.box.live.setChecked(False)
     pump()
     assert "Live" in widget("summary").text() and not page().result_box.texts
+    press(APPLY)
+    pump()
+    assert "has this path" in state() and "limit" in widget("summary").text()
+    assert duration(opened.MachiningTime) in page().result_box.texts.values()
+    widget("useStartPoint").setChecked(True)
+    pump()
+    assert "Live" in widget("summary").text() and not page().result_box.texts
+    press(APPLY)
+    pump()
+    assert "start point" in remarks()
+    press(CANCEL)
+
+
+def test_error_is_told_while_live_is_off(opened):
+    page().preview.box.live.setChecked(False)
+    widget("helixAngle").setProperty("rawValue", 0.0)
+    with answered() as answer:
+        press(APPLY)
+    assert len(answer.texts) == 1
+    assert "helix angle" in widget("summary").text() and "helix angle" in remarks()
+    press(CANCEL)
+
+
+def test_first_line_tells_the_error_before_any_notice(opened):
+    opened.setExpression("FinalDepth", None)
+    opened.FinalDepth = -8.0
+    settle()
+    assert "below the selected floor" in remarks()
+    widget("helixAngle").setProperty("rawValue", 0.0)
+    settle()
+    assert "below the selected floor" in remarks()
+    assert "helix angle" in widget("summary").text()
+    press(CANCEL)
+
+
+def test_figures_of_the_last_path_are_gone_while_an_error_is_shown(opened):
+    labels = [page().result_box.figures.itemAt(i).widget() for i in range(4)]
+    seen = []
+    QtCore.QTimer.singleShot(300, lambda: seen.extend(w.isVisible() for w in labels))
+    widget("helixAngle").setProperty("rawValue", 0.0)
+    with answered():
+        press(OK)
+    pump(0.3)
+    assert seen and not any(seen)
+    press(CANCEL)
+
+
+def test_a_change_of_the_tool_is_planned(opened):
+    press(APPLY)
+    settle()
+    before, tool = page().result_box.texts, opened.ToolController
+    tool.HorizFeed = 40.0
+    wait_for(lambda: "makes this path" in state())
+    settle()
+    assert page().result_box.texts != before
+    tool.SpindleSpeed = 0
+    wait_for(lambda: "spindle speed" in remarks())
+    tool.Tool.Diameter = 8.0
+    assert widget("stepOver").property("rawValue") == pytest.approx(3.2)
+    settle()
+    assert page().outlook.pockets[0].request.tool_diameter == 8.0
+    press(CANCEL)
+
+
+def test_a_change_of_the_part_is_planned(doc, job, part, opened):
+    before = page().outlook.pockets[0].request.pocket.bounds
+    aside = FreeCAD.Matrix()
+    aside.move(Vector(1, 0, 0))
+    part.Shape = plate().transformShape(aside, True)
+    doc.recompute()
+    settle()
+    after = page().outlook.pockets[0].request.pocket.bounds
+    assert after[0] == pytest.approx(before[0] + 1)
     press(CANCEL)
 
 
