@@ -122,9 +122,20 @@ class Outlook:
 
     @property
     def plans(self) -> list[Plan]:
-        """Return the proved plans of all pockets, empty while one is missing."""
-        drawn = [p.drawn for p in self.pockets]
-        return [d.plan for d in drawn if d is not None] if drawn and all(drawn) else []
+        """Return the proved plans of all pockets that can be cut, empty while one is missing."""
+        return [d.plan for d in self.drawn]
+
+    @property
+    def drawn(self) -> list[Drawn]:
+        """Return these plans drawn."""
+        if not all(p.is_settled for p in self.pockets):
+            return []
+        return [p.drawn for p in self.pockets if p.drawn is not None]
+
+    @property
+    def errors(self) -> list[SpiralPocketError]:
+        """Return what keeps pockets, or all, from being cut."""
+        return [*self.problems, *(p.error for p in self.pockets if p.error)]
 
     @property
     def fraction(self) -> float:

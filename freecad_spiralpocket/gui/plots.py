@@ -72,7 +72,7 @@ class Plots:
         """Plot the proved plans, if they are others."""
         if self.dock is None:
             return
-        drawn = [p.drawn for p in self._outlook.pockets] if self._outlook.plans else []
+        drawn = self._outlook.drawn
         if not drawn and not self._outlook.is_settled:
             return  # what is drawn stays until there is something new
         controller = self._page.obj.ToolController

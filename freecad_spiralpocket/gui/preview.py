@@ -109,11 +109,10 @@ class Preview:
     def _status(self) -> str:
         """Return how far the preview is, or why there is none."""
         outlook = self._outlook
-        errors = [*outlook.problems, *(p.error for p in outlook.pockets if p.error)]
         if not outlook.is_on:
             return translate("SpiralPocket", "Switched off.")
-        if errors:
-            return "\n".join(dict.fromkeys(in_panel(str(e)) for e in errors))
+        if outlook.errors:
+            return "\n".join(dict.fromkeys(in_panel(str(e)) for e in outlook.errors))
         count, done = len(outlook.pockets), len(self._drawn())
         if not count:
             return "" if self._obj.Active else switched_off()

@@ -112,13 +112,17 @@ class ResultBox:
         self._shown = shown
         self._state.setText(state)
         waits = not is_known or (self._outlook.is_stopped and not plans)
-        told = "" if waits else summary_of(self._obj, plans, remarks)
+        told = "" if waits else summary_of(self._obj, plans, remarks, self._missing())
         self._page.form.summary.setText(refusals[0].text if refusals else told or state)
         if is_known:
             self._show_figures(figures_of(self._obj, plans) if plans else [])
         if is_known or remarks or self._refusals:
             self._show_remarks(remarks)
         self._refusals = refusals
+
+    def _missing(self) -> int:
+        """Return how many of the pockets cannot be cut."""
+        return len(self._outlook.errors if self._outlook.is_on else self._obj.Proxy.errors)
 
     def _enable(self, on: bool) -> None:
         """Show what stands here, and the line at the top of the page, in black or in grey."""

@@ -70,10 +70,10 @@ def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
     ]
 
 
-def summary_of(obj: Any, plans: Sequence[Plan], remarks: Sequence[Remark]) -> str:
+def summary_of(obj: Any, plans: Sequence[Plan], remarks: Sequence[Remark], missing: int = 0) -> str:
     """Return time, largest engagement and number of remarks in one line, or what is the matter.
 
-    Empty while nothing is known.
+    `missing` pockets cannot be cut, which is told too. Empty while nothing is known.
     """
     if not plans:
         return in_panel(remarks[0].text) if remarks else ""
@@ -86,6 +86,8 @@ def summary_of(obj: Any, plans: Sequence[Plan], remarks: Sequence[Remark]) -> st
             np.degrees(max(r.engagement_limit for r in reports)),
         ),
     ]
+    if missing:
+        parts.append(translate("SpiralPocket", "pockets not cut: {}").format(missing))
     if remarks:
         parts.append(translate("SpiralPocket", "remarks: {}").format(len(remarks)))
     return "; ".join(parts)

@@ -448,6 +448,10 @@
         <translation>Zeit auf {}</translation>
     </message>
     <message>
+        <source>pockets not cut: {}</source>
+        <translation>Taschen nicht gefräst: {}</translation>
+    </message>
+    <message>
         <source>remarks: {}</source>
         <translation>Hinweise: {}</translation>
     </message>

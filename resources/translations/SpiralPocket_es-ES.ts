@@ -448,6 +448,10 @@
         <translation>Tiempo en {}</translation>
     </message>
     <message>
+        <source>pockets not cut: {}</source>
+        <translation>cajeras sin mecanizar: {}</translation>
+    </message>
+    <message>
         <source>remarks: {}</source>
         <translation>avisos: {}</translation>
     </message>

@@ -448,6 +448,10 @@
         <translation>Temps sur {}</translation>
     </message>
     <message>
+        <source>pockets not cut: {}</source>
+        <translation>poches non usinées : {}</translation>
+    </message>
+    <message>
         <source>remarks: {}</source>
         <translation>remarques : {}</translation>
     </message>

@@ -448,6 +448,10 @@
         <translation>在 {} 上的用时</translation>
     </message>
     <message>
+        <source>pockets not cut: {}</source>
+        <translation>未加工的型腔：{}</translation>
+    </message>
+    <message>
         <source>remarks: {}</source>
         <translation>提示：{} 条</translation>
     </message>

@@ -279,3 +279,29 @@ def test_no_face_no_path(job):
     assert "no path" in state().lower()
     assert any("No face" in r.text for r in page().result_box._remarks)
     press(CANCEL)
+
+
+def test_pocket_that_cannot_be_cut_leaves_the_result_of_the_others(doc):
+    pockets = [Part.makeBox(*size, 9, Vector(*at, -DEPTH)) for size, at in
+               (((30, 24), (6, 6)), ((4, 24), (42, 6)))]  # fmt: skip
+    solid = Part.makeBox(60, 36, 12, Vector(0, 0, -12)).cut(pockets[0]).cut(pockets[1])
+    job = add_job(doc, solid, 6.0)
+    part = doc.getObject("Part")
+    select(*((part, name) for name in floors(part, -DEPTH)))
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    settle()
+    assert "makes this path" in state() and "does not fit" in remarks()
+    assert "limit" in widget("summary").text() and "not cut: 1" in widget("summary").text()
+    assert "does not fit" in page().preview.box.status.text()
+    assert page().preview.box.slider.isEnabled()
+    with answered() as answer:
+        press(APPLY)
+    settle()
+    assert len(answer.texts) == 1 and "OK once more" in answer.texts[0]
+    (operation,) = job.Operations.Group
+    assert "has this path" in state() and "not cut: 1" in widget("summary").text()
+    assert duration(operation.MachiningTime) in page().result_box.texts.values()
+    page().plots.button.setChecked(True)
+    assert page().plots.dock._curves.clock[-1] == pytest.approx(operation.MachiningTime)
+    press(CANCEL)
