@@ -103,6 +103,8 @@ def naive_time(tool_controller: Any, plans: Sequence[Plan]) -> float:
 def is_applied(obj: Any, plans: Sequence[Plan]) -> bool:
     """Return whether the operation's path is the one of these plans."""
     made = obj.Proxy.plans
+    if plans and not made:  # a document was opened
+        return results.are_of(obj, plans)
     return bool(plans) and len(made) == len(plans) and all(map(_is_same, made, plans))
 
 

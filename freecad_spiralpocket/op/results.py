@@ -8,6 +8,7 @@ sketches and exported to STEP.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
@@ -20,23 +21,38 @@ from ..engine.model import Notice, Plan, SplineCurve
 from . import properties, request
 from .compat import parent_job
 
+#: What is kept in a document keeps so many digits.
+SAME = 1e-9
+
 
 def write(obj: Any, plans: Sequence[Plan], notices: Sequence[Notice]) -> None:
     """Write the figures of all pockets together into the result properties of `obj`."""
+    told = {"Notices": [str(n) for n in notices]}
+    properties.set_results(obj, {**_figures(obj, plans), **told})
+    obj.SpiralCurve = curves_shape(plans)
+
+
+def are_of(obj: Any, plans: Sequence[Plan]) -> bool:
+    """Return whether the figures of `obj` are those of these plans, as after it was opened."""
+    return all(
+        math.isclose(
+            getattr(old := getattr(obj, name), "Value", old), figure, rel_tol=SAME, abs_tol=SAME
+        )
+        for name, figure in _figures(obj, plans).items()
+    )
+
+
+def _figures(obj: Any, plans: Sequence[Plan]) -> dict[str, float]:
+    """Return the figures of all pockets together, by the names of the properties."""
     reports = [p.report for p in plans]
     timed = request.has_feeds(obj.ToolController)
-    properties.set_results(
-        obj,
-        {
-            "LargestEngagement": float(np.degrees(max(r.engagement_max for r in reports))),
-            "UncutArea": sum(r.uncut_area for r in reports),
-            "Gouge": max(r.gouge for r in reports),
-            "PathLength": sum(r.cut_length for r in reports),
-            "MachiningTime": machining_time(plans) if timed else 0.0,
-            "Notices": [str(n) for n in notices],
-        },
-    )
-    obj.SpiralCurve = curves_shape(plans)
+    return {
+        "LargestEngagement": float(np.degrees(max(r.engagement_max for r in reports))),
+        "UncutArea": sum(r.uncut_area for r in reports),
+        "Gouge": max(r.gouge for r in reports),
+        "PathLength": sum(r.cut_length for r in reports),
+        "MachiningTime": machining_time(plans) if timed else 0.0,
+    }
 
 
 def machining_time(plans: Sequence[Plan]) -> float:

@@ -258,6 +258,22 @@ def test_operation_can_be_edited_after_reopening(operation, tmp_path):
         FreeCAD.closeDocument(document.Name)
 
 
+def test_panel_knows_the_path_of_a_document_that_was_opened(doc, operation, tmp_path):
+    file = str(tmp_path / "job.FCStd")
+    doc.saveAs(file)
+    FreeCAD.closeDocument(doc.Name)
+    again = FreeCAD.openDocument(file)
+    edit(again.getObject("SpiralPocket"))
+    page = panel().operation_page
+    wait_for(lambda: page.outlook.is_settled, 60)
+    assert "has this path" in page.result_box._state.text()
+    widget("stepOverPercent").setValue(21)
+    wait_for(lambda: page.outlook.is_settled, 60)
+    assert "makes this path" in page.result_box._state.text()
+    press(CANCEL)
+    FreeCAD.closeDocument(again.Name)
+
+
 def test_operation_that_was_saved_without_the_addon_comes_back(operation, tmp_path):
     file, before = tmp_path / "job.FCStd", operation.Path.toGCode()
     operation.Label = "Reopened"
