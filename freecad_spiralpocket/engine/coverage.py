@@ -14,6 +14,8 @@ lowest floor is the least favorable one.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import shapely
 from numpy.typing import NDArray
@@ -34,6 +36,8 @@ CHORD_TOLERANCE = 1e-4
 #: The rough picture: motion simplified by this share of the radius and grown by that one.
 #: With the 1 % by which GEOS simplifies what it grows they stay below the radius.
 ROUGH_MOTION, ROUGH_RADIUS = 0.03, 0.95
+#: It is grown in runs of so many corners.
+CORNERS = 32
 
 
 def reachable_floor(pocket: Polygon, radius: float, stock: float) -> shapely.Geometry:
@@ -134,7 +138,21 @@ def _roughly_swept(pieces: Pieces, radius: float) -> shapely.Geometry:
     lines = shapely.transform(polylines(pieces), lambda points: points.round(6))
     chains = shapely.get_parts(shapely.line_merge(shapely.multilinestrings(lines)))
     rough = shapely.simplify(chains, ROUGH_MOTION * radius, preserve_topology=False)
-    return shapely.multilinestrings(rough).buffer(ROUGH_RADIUS * radius, quad_segs=8)
+    # strokes that overlap again and again, as Adaptive's, would take minutes in one go
+    strips = shapely.buffer(_runs(rough), ROUGH_RADIUS * radius, quad_segs=8)
+    return shapely.union_all(strips)
+
+
+def _runs(chains: NDArray[np.object_]) -> NDArray[np.object_]:
+    """Return line strings cut into ones of few corners."""
+    points, index = shapely.get_coordinates(chains, return_index=True)
+    ends = np.flatnonzero(np.diff(index, append=-1))  # the last point of each chain
+    if len(ends) == 0:
+        return chains
+    firsts = np.concatenate([np.arange(a, b - 1, CORNERS) for a, b in pairwise([-1, *ends])]) + 1
+    lasts = np.minimum(firsts + CORNERS, ends[np.searchsorted(ends, firsts)])
+    row, part = _rows(lasts - firsts + 1)
+    return shapely.linestrings(points[firsts[row] + part], indices=row)
 
 
 def _sectors(arcs: Pieces, radius: float) -> NDArray[np.object_]:
