@@ -10,6 +10,7 @@ rapids for its links. Measured by the same proof as our own paths.
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -32,6 +33,8 @@ TOLERANCE, KEEP_DOWN_RATIO = 0.1, 3.0
 NO_HELIX = 0.01
 #: Angle of the helix' chords [rad].
 CHORD = math.pi / 16
+#: In some pockets it never ends [s].
+MOST_SECONDS = 60
 #: Chords of curved walls [mm]; stock around the pocket [mm].
 SAG, AROUND = 0.01, 20.0
 
@@ -71,7 +74,16 @@ def _regions(request: PocketRequest) -> Sequence[Any]:
     rings = [pocket.exterior, *pocket.interiors]
     # it starts from full stock, whatever was cleared before
     outlines = [_ring(part.exterior) for part in polygons_of(stock)]
-    found = clearing.Execute(outlines, [_ring(r) for r in rings], lambda _: False)
+    end = time.monotonic() + MOST_SECONDS
+
+    def is_late(_: object) -> bool:
+        return time.monotonic() > end
+
+    found = clearing.Execute(outlines, [_ring(r) for r in rings], is_late)
+    if is_late(None):
+        raise SpiralPocketError(
+            f"FreeCAD's Adaptive has found no path in this pocket within {MOST_SECONDS} s."
+        )
     if not found or not found[0].AdaptivePaths:
         raise SpiralPocketError("FreeCAD's Adaptive finds no path in this pocket.")
     return list(found)

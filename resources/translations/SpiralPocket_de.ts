@@ -469,7 +469,7 @@
     </message>
     <message>
         <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
-        <translation>Der Eingriffswinkel im geraden Schnitt bei dieser Zustellung: 90° beim halben Fräserdurchmesser, 180° in der vollen Nut</translation>
+        <translation>Der Eingriffswinkel im geraden Schnitt bei dieser seitlichen Zustellung: 90° beim halben Fräserdurchmesser, 180° in der vollen Nut</translation>
     </message>
     <message>
         <source>OK once more keeps what was made without that.</source>
@@ -616,7 +616,7 @@
     </message>
     <message>
         <source>0.01 mm is usual.</source>
-        <translation>Üblich sind 0.01 mm.</translation>
+        <translation>Üblich sind 0,01 mm.</translation>
     </message>
     <message>
         <source>A cutter below {0} mm reaches it.</source>
@@ -640,7 +640,7 @@
     </message>
     <message>
         <source>A smaller step-over may clear it.</source>
-        <translation>Eine kleinere Zustellung kann ihn räumen.</translation>
+        <translation>Eine kleinere seitliche Zustellung kann ihn räumen.</translation>
     </message>
     <message>
         <source>A step down of {0} mm makes more than {1} levels.</source>
@@ -688,7 +688,7 @@
     </message>
     <message>
         <source>At {at} the engagement reaches {0} degrees, the step-over of {1} % allows {2}; {3} % of the cut clearly pass that.</source>
-        <translation>Bei {at} erreicht der Eingriff {0} Grad, die Zustellung von {1} % erlaubt {2}; {3} % des Schnitts liegen deutlich darüber.</translation>
+        <translation>Bei {at} erreicht der Eingriff {0} Grad, die seitliche Zustellung von {1} % erlaubt {2}; {3} % des Schnitts liegen deutlich darüber.</translation>
     </message>
     <message>
         <source>Central Spiral cannot go round islands; there is one at {at}.</source>
@@ -756,7 +756,7 @@
     </message>
     <message>
         <source>Do not run this path; try another strategy or step-over.</source>
-        <translation>Diesen Pfad nicht fahren; andere Strategie oder Zustellung versuchen.</translation>
+        <translation>Diesen Pfad nicht fahren; andere Strategie oder seitliche Zustellung versuchen.</translation>
     </message>
     <message>
         <source>Done</source>
@@ -773,6 +773,18 @@
     <message>
         <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
         <translation>Frühere Operationen haben {0} % dieser Tasche geräumt; der Rest wird gefräst.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive cannot be reached from here.</source>
+        <translation>FreeCADs Adaptive ist von hier aus nicht erreichbar.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive finds no path in this pocket.</source>
+        <translation>FreeCADs Adaptive findet in dieser Tasche keinen Pfad.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive has found no path in this pocket within {0} s.</source>
+        <translation>FreeCADs Adaptive hat in dieser Tasche innerhalb von {0} s keinen Pfad gefunden.</translation>
     </message>
     <message>
         <source>Give it the number of an end mill, 1 or higher.</source>
@@ -1004,7 +1016,7 @@
     </message>
     <message>
         <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>Tolerance auf höchstens {0} mm setzen; üblich sind 0.01 mm.</translation>
+        <translation>Tolerance auf höchstens {0} mm setzen; üblich sind 0,01 mm.</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>
@@ -1060,7 +1072,7 @@
     </message>
     <message>
         <source>Take a larger step-over or the strategy Automatic.</source>
-        <translation>Eine größere Zustellung oder die Strategie Automatisch nehmen.</translation>
+        <translation>Eine größere seitliche Zustellung oder die Strategie Automatisch nehmen.</translation>
     </message>
     <message>
         <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
@@ -1076,7 +1088,7 @@
     </message>
     <message>
         <source>Take a wider cutter or a larger step-over.</source>
-        <translation>Einen breiteren Fräser oder eine größere Zustellung nehmen.</translation>
+        <translation>Einen breiteren Fräser oder eine größere seitliche Zustellung nehmen.</translation>
     </message>
     <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
@@ -1204,7 +1216,7 @@
     </message>
     <message>
         <source>The pocket is more than {0} step-overs wide.</source>
-        <translation>Die Tasche ist mehr als {0} Zustellungen breit.</translation>
+        <translation>Die Tasche ist mehr als {0} seitliche Zustellungen breit.</translation>
     </message>
     <message>
         <source>The pocket is open at a side; the cutter runs out of it there.</source>
@@ -1300,7 +1312,7 @@
     </message>
     <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
-        <translation>Andere Zustellung oder Strategie versuchen und diese Tasche bitte melden.</translation>
+        <translation>Andere seitliche Zustellung oder Strategie versuchen und diese Tasche bitte melden.</translation>
     </message>
     <message>
         <source>Turn the part over, or machine it from another side.</source>

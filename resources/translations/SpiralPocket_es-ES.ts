@@ -616,7 +616,7 @@
     </message>
     <message>
         <source>0.01 mm is usual.</source>
-        <translation>Lo usual es 0.01 mm.</translation>
+        <translation>Lo usual es 0,01 mm.</translation>
     </message>
     <message>
         <source>A cutter below {0} mm reaches it.</source>
@@ -773,6 +773,18 @@
     <message>
         <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
         <translation>Operaciones anteriores han vaciado el {0} % de esta cajera; se corta el resto.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive cannot be reached from here.</source>
+        <translation>No se puede acceder desde aquí al Adaptive de FreeCAD.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive finds no path in this pocket.</source>
+        <translation>El Adaptive de FreeCAD no encuentra trayectoria en esta cajera.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive has found no path in this pocket within {0} s.</source>
+        <translation>El Adaptive de FreeCAD no ha encontrado trayectoria en esta cajera en {0} s.</translation>
     </message>
     <message>
         <source>Give it the number of an end mill, 1 or higher.</source>
@@ -1004,7 +1016,7 @@
     </message>
     <message>
         <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>Ponga Tolerance a {0} mm como máximo; lo habitual es 0.01 mm.</translation>
+        <translation>Ponga Tolerance a {0} mm como máximo; lo habitual es 0,01 mm.</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>

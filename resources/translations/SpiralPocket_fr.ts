@@ -616,7 +616,7 @@
     </message>
     <message>
         <source>0.01 mm is usual.</source>
-        <translation>0.01 mm est usuel.</translation>
+        <translation>0,01 mm est usuel.</translation>
     </message>
     <message>
         <source>A cutter below {0} mm reaches it.</source>
@@ -773,6 +773,18 @@
     <message>
         <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
         <translation>Les opérations précédentes ont vidé {0} % de cette poche ; le reste est usiné.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive cannot be reached from here.</source>
+        <translation>L'Adaptive de FreeCAD n'est pas accessible d'ici.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive finds no path in this pocket.</source>
+        <translation>L'Adaptive de FreeCAD ne trouve pas de parcours dans cette poche.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive has found no path in this pocket within {0} s.</source>
+        <translation>L'Adaptive de FreeCAD n'a pas trouvé de parcours dans cette poche en {0} s.</translation>
     </message>
     <message>
         <source>Give it the number of an end mill, 1 or higher.</source>
@@ -1004,7 +1016,7 @@
     </message>
     <message>
         <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>Réglez Tolerance à {0} mm au plus ; 0.01 mm est habituel.</translation>
+        <translation>Réglez Tolerance à {0} mm au plus ; 0,01 mm est habituel.</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>

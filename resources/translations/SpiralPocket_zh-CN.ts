@@ -775,6 +775,18 @@
         <translation>先前的操作已清除该型腔的 {0} %；其余部分将被加工。</translation>
     </message>
     <message>
+        <source>FreeCAD's Adaptive cannot be reached from here.</source>
+        <translation>此处无法使用 FreeCAD 自适应。</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive finds no path in this pocket.</source>
+        <translation>FreeCAD 自适应 在此型腔中找不到刀路。</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive has found no path in this pocket within {0} s.</source>
+        <translation>FreeCAD 自适应 在 {0} 秒内未在此型腔中找到刀路。</translation>
+    </message>
+    <message>
         <source>Give it the number of an end mill, 1 or higher.</source>
         <translation>请给它一个立铣刀的编号，1 或以上。</translation>
     </message>

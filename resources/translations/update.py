@@ -99,7 +99,8 @@ def enumerated() -> Iterator[str]:
 
 def engine_sentences() -> Iterator[str]:
     """Yield what the engine and the operation say, with numbered places for figures."""
-    files = [*PACKAGE.glob("engine/**/*.py"), *PACKAGE.glob("op/*.py"), PACKAGE / "machines.py"]
+    files = [*PACKAGE.glob("engine/**/*.py"), *PACKAGE.glob("op/*.py")]
+    files += [PACKAGE / "machines.py", PACKAGE / "adaptive.py"]
     for path in sorted(set(files) - {PACKAGE / "op" / "part_files.py"}):
         tree = ast.parse(path.read_text(encoding="utf-8"))
         passed_over = _docstrings_and_parts(tree)
