@@ -102,6 +102,11 @@ def lengths() -> Scale:
     return Scale.of(FreeCAD.Units.Quantity(10.0, FreeCAD.Units.Length))
 
 
+def speeds() -> Scale:
+    """Return the user's unit for feeds."""
+    return Scale.of(FreeCAD.Units.Quantity("1 m/s"))
+
+
 class Entry:
     """A spin box and what the user types into it.
 

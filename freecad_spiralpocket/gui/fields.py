@@ -17,7 +17,7 @@ from PySide import QtCore
 
 from .choices import choice_text
 from .compat import check_box_signal
-from .entries import PERCENT, PLAIN, Entry, Scale, lengths
+from .entries import PERCENT, PLAIN, Entry, Scale, lengths, speeds
 
 translate = FreeCAD.Qt.translate
 
@@ -190,8 +190,7 @@ class LinkFeed(_Bound):
                 "Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate",
             )
         )
-        speeds = Scale.of(FreeCAD.Units.Quantity("1 m/s"))
-        self._entry = Entry(widget, obj, self.names, speeds)
+        self._entry = Entry(widget, obj, self.names, speeds())
         self.entries = (self._entry,)
 
     def _show(self) -> None:

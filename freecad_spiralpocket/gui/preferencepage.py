@@ -15,6 +15,7 @@ from PySide import QtGui
 
 from ..op import preferences, properties
 from .choices import choice_text
+from .entries import Entry, Scale, lengths, speeds
 from .fields import MINUTE
 from .names import renamed
 from .startup import RESOURCES
@@ -40,9 +41,13 @@ class PreferencePage:
             box.setToolTip(translate("App::Property", row.tooltip))
             for value in row.choices:
                 box.addItem(choice_text(row.name, value), value)
-        self.form.helixAngle.setProperty("unit", "deg")
-        self.form.tolerance.setProperty("unit", "mm")
-        self.form.linkFeed.setProperty("unit", "mm/min")
+        scales = (
+            ("helixAngle", Scale.of(FreeCAD.Units.Quantity("1 deg"))),
+            ("tolerance", lengths()),
+            ("linkFeed", speeds()),
+        )
+        self.entries = {b: Entry(getattr(self.form, b), _Nothing, (), s) for b, s in scales}
+        self.shown: dict[str, float] = {}
 
     def loadSettings(self) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show what is kept."""
@@ -53,7 +58,7 @@ class PreferencePage:
             elif isinstance(box, _PLAIN):
                 box.setValue(value)
             else:
-                box.setProperty("rawValue", value / _factor(row.name))
+                self._show(box.objectName(), value / _factor(row.name))
         folder = preferences.read(preferences.MACHINE_FOLDER, "")
         self.form.machineFolder.setProperty("fileName", folder)
 
@@ -65,10 +70,26 @@ class PreferencePage:
             elif isinstance(box, _PLAIN):
                 value = box.value()
             else:
-                value = round(box.property("rawValue") * _factor(row.name), 9)
+                entered = self.entries[box.objectName()].entered()
+                if entered is not None:
+                    self._show(box.objectName(), entered)
+                value = round(self.shown[box.objectName()] * _factor(row.name), 9)
             preferences.write(row.name, value, row.default)
         folder = self.form.machineFolder.property("fileName")
         preferences.write(preferences.MACHINE_FOLDER, folder, "")
+
+    def _show(self, box: str, value: float) -> None:
+        self.entries[box].show(value)
+        self.shown[box] = value
+
+
+class _Nothing:
+    """Stands for an operation where there is none: formulas have no properties to name."""
+
+    @staticmethod
+    def evalExpression(text: str) -> Any:  # noqa: N802 - the name FreeCAD calls
+        """Raise what FreeCAD does where a text is no expression."""
+        raise ValueError(text)
 
 
 def _factor(name: str) -> float:

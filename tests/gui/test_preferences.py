@@ -5,7 +5,16 @@ import FreeCAD
 import FreeCADGui
 import pytest
 from PySide import QtGui
-from window import OK, edit, is_panel_open, press, press_toolbar_button, pump, select
+from window import (
+    OK,
+    edit,
+    is_panel_open,
+    press,
+    press_toolbar_button,
+    pump,
+    select,
+    type_into,
+)
 
 from freecad_spiralpocket.gui.preferencepage import WIDGETS, PreferencePage
 from freecad_spiralpocket.op import operation, preferences, presets, properties
@@ -95,3 +104,23 @@ def test_job_editor_opens_with_the_operations_defaults(doc, job, floor):
     assert is_panel_open()
     FreeCADGui.Control.closeDialog()
     pump(0.3)
+
+
+def test_inches_are_kept_as_they_are_typed(parameters):
+    FreeCAD.Units.setSchema(3)
+    try:
+        page = PreferencePage()
+        page.loadSettings()
+        page.form.show()
+        assert page.form.tolerance.text() == "0.000393701 in"
+        page.saveSettings()
+        assert not parameters.GetContents()
+        type_into(page.form.tolerance, "0.0004")
+        page.saveSettings()
+        assert kept()["Tolerance"] == pytest.approx(0.01016)
+        type_into(page.form.tolerance, "-1")
+        page.saveSettings()
+        assert kept()["Tolerance"] == pytest.approx(0.01016)
+        page.form.close()
+    finally:
+        FreeCAD.Units.setSchema(0)
