@@ -45,11 +45,7 @@ def create(job: Any) -> Any:
     SpiralPocketError
         If it cannot be made; the document is as before.
     """
-    if not job.Tools.Group:
-        raise SetupError(
-            translate("SpiralPocket", "{} has no tool controller.").format(job.Label),
-            translate("SpiralPocket", "Add one with an end mill to the job, then try again."),
-        )
+    require_tool_controller(job)
     document = job.Document
     document.openTransaction(translate("SpiralPocket", "Create Spiral Pocket"))
     try:
@@ -63,6 +59,20 @@ def create(job: Any) -> Any:
         abort(document)
         raise
     return obj
+
+
+def require_tool_controller(job: Any) -> None:
+    """Raise if a job has no tool controller: FreeCAD's panel cannot do without.
+
+    Raises
+    ------
+    SetupError
+    """
+    if not job.Tools.Group:
+        raise SetupError(
+            translate("SpiralPocket", "{} has no tool controller.").format(job.Label),
+            translate("SpiralPocket", "Add one with an end mill to the job, then try again."),
+        )
 
 
 def abort(document: Any) -> None:

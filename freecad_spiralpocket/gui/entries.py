@@ -183,7 +183,7 @@ class Entry:
         text = self._line.text()
         if text == self._known or (text == self._rounded and not self.is_typing):
             return None
-        self._known = text
+        self._known, self._rounded = text, ""
         if self._typed is None:  # by the arrows or the wheel
             value = float(self.box.property(self._property))
         elif text == self._typed:

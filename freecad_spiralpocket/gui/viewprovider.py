@@ -72,13 +72,10 @@ class ViewProvider(PathOpGui.ViewProvider):
         if mode != 0:
             return False
         obj = (vobj or self.vobj).Object
-        if parent_job(obj) is None:
-            messages.show(
-                SetupError(
-                    translate("SpiralPocket", "{} is not in a job.").format(obj.Label),
-                    translate("SpiralPocket", "Drag it into the job's operations."),
-                )
-            )
+        try:
+            _require_job(obj)
+        except SetupError as error:
+            messages.show(error)
             return False
         # What is left of earlier panels still names their widgets, which are gone; PySide would
         # take new widgets at the same addresses for them.
@@ -136,3 +133,16 @@ class ViewProvider(PathOpGui.ViewProvider):
 
     def __setstate__(self, state: Any) -> None:
         """Restore nothing (0.20)."""
+
+
+def _require_job(obj: Any) -> None:
+    """Raise if an operation is in no job, or in one without tools."""
+    from .creation import require_tool_controller  # which makes operations with this provider
+
+    job = parent_job(obj)
+    if job is None:
+        raise SetupError(
+            translate("SpiralPocket", "{} is not in a job.").format(obj.Label),
+            translate("SpiralPocket", "Drag it into the job's operations."),
+        )
+    require_tool_controller(job)

@@ -113,6 +113,19 @@ def test_missing_library_is_named(doc, job, floor, monkeypatch, library):
     assert not differences(before, snapshot(doc))
 
 
+def test_operation_of_a_job_without_tools_cannot_be_edited(doc, job, floor):
+    select(floor)
+    press_toolbar_button()
+    press(OK)
+    (operation,) = job.Operations.Group
+    doc.removeObject(job.Tools.Group[0].Name)
+    doc.recompute()
+    with answered() as answer:
+        edit(operation)
+    assert len(answer.texts) == 1 and "tool controller" in answer.texts[0]
+    assert not is_panel_open()
+
+
 def test_operation_outside_a_job_cannot_be_edited(job, floor):
     select(floor)
     press_toolbar_button()
