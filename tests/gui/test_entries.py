@@ -193,6 +193,6 @@ def test_what_was_typed_outlives_a_look_at_another_page(operation, box, letters,
 
 def test_the_arrows_go_back_where_they_came_from(operation):
     enter(widget("stepOverPercent"), "40")
-    for key, percent in ((QtCore.Qt.Key_Up, 41), (QtCore.Qt.Key_Down, 40)):
+    for key, percent in ((QtCore.Qt.Key_Up, 45), (QtCore.Qt.Key_Down, 40)):
         strike(widget("stepOverPercent"), key)
         assert operation.StepOver == percent
