@@ -15,7 +15,17 @@ from shapely import Polygon
 
 from .front_rules import FrontRules
 from .fronts import MAX_FRONTS
-from .shaping import SLIVER, Region, are_within, buffer, clipped, largest, oriented, thick_parts
+from .shaping import (
+    SLIVER,
+    Region,
+    are_within,
+    buffer,
+    clipped,
+    grown,
+    largest,
+    oriented,
+    thick_parts,
+)
 
 #: Fillet radii tried in the corners, over R; the smallest whose bite keeps below a share of the
 #: step-over is taken at once.
@@ -39,12 +49,12 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Itera
             return
         shapely.prepare(visited)
         pieces = [_corner_step(piece, visited, omega, rules) for piece in rest]
-        grown = shapely.union_all([visited, *pieces])
-        grown = oriented(largest(buffer(buffer(grown, 1e-4), -1e-4)))
-        if grown.area - visited.area < 1e-4:
+        wider = shapely.union_all([visited, *pieces])
+        wider = oriented(largest(buffer(buffer(wider, 1e-4), -1e-4)))
+        if wider.area - visited.area < 1e-4:
             return
-        yield grown
-        visited = grown
+        yield wider
+        visited = wider
 
 
 @lru_cache(maxsize=2 * len(CORNER_FILLETS))
@@ -76,4 +86,4 @@ def _corner_step(piece: Polygon, visited: Polygon, omega: Polygon, rules: FrontR
             if are_within(visited, rim, rules.stepover).all():
                 return taken
     # deeper than any fillet: one ordinary step into it
-    return shapely.intersection(piece, buffer(visited, bite * rules.stepover))
+    return shapely.intersection(piece, clipped(grown(visited, bite * rules.stepover), around))
