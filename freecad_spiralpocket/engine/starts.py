@@ -33,7 +33,7 @@ from .leaving import bends, straightest
 from .model import Floats, PocketRequest
 from .outline import outline_of
 from .polyline import closed_line, located, points_at
-from .shaping import buffer, largest, oriented
+from .shaping import CRACK, buffer, largest, oriented, thick_parts
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
 
@@ -62,6 +62,9 @@ LEAST_ROOM = 0.1
 ROUNDINGS = (1.0, 0.5)
 #: The same for the ring round islands.
 RING_ROUNDINGS = (1.0, 0.5, 0.2, 0.1, 0.02, 0.005, 0.002, 0.0005)
+#: Notches of islands that such a ring leaves deeper than this over R are taken into it, with the
+#: first of these roundings that leaves no more than that [mm]; seams are closed by so much [mm].
+NOTCH, NOTCH_ROUNDINGS, NOTCH_SLACK, SEAM = 0.15, (0.15, 0.05, 0.02, 0.005, 0.0005), 0.002, 1e-4
 #: The ring keeps off the islands' walls by this [mm].
 CHORD_SLACK = 0.004
 #: Width of the smoothing of the center curve, over R.
@@ -346,7 +349,7 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
 
 def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
     """Return the ring round all islands, bridged along a shortest tree; None if it is no ring."""
-    filled = Polygon(region.exterior)
+    filled, radius = Polygon(region.exterior), request.cutter_radius
     # chords of the ring cut into round islands by about so much
     islands = [buffer(Polygon(r), CHORD_SLACK) for r in region.interiors]
     bridges = _bridges(islands)
@@ -357,10 +360,61 @@ def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
         shape = largest(shapely.union_all([*islands, *corridors]))
         # a narrow channel between islands must not be filled: nothing would go through it
         for rounding in RING_ROUNDINGS:
-            visited = Polygon(_rounded(shape, filled, rounding * request.cutter_radius).exterior)
+            visited = Polygon(_rounded(shape, filled, rounding * radius).exterior)
+            visited = _into_notches(visited, shape, region, corridors, rounding * radius, radius)
             if leaves_no_post(visited, request, islands):
                 return _slot_start("island ring", oriented(visited), filled, request)
     return None
+
+
+def _into_notches(
+    visited: Polygon,
+    shape: Polygon,
+    region: Polygon,
+    corridors: list[Polygon],
+    rounding: float,
+    radius: float,
+) -> Polygon:
+    """Return the ground that a ring round islands encloses, without their notches.
+
+    What a wide curve leaves in a notch would be cut by the full width of the cutter at the full
+    depth. The ring goes into it instead, by the widest curve that finishes it.
+
+    Parameters
+    ----------
+    visited : shapely.Polygon
+        What the ring encloses; its reentrant curves have the radius `rounding` [mm].
+    shape : shapely.Polygon
+        The islands joined by the `corridors`.
+    region : shapely.Polygon
+        The cutter-center region.
+    corridors : list of shapely.Polygon
+    rounding, radius : float
+        [mm]; `radius` is the cutter's.
+    """
+    left = thick_parts(shapely.difference(visited, shape))
+    left = left[~shapely.dwithin(left, shapely.union_all(corridors), CRACK)]
+    deep = left[_depths(left, visited) > NOTCH * radius]
+    islands = shapely.union_all([buffer(Polygon(r), NOTCH_SLACK) for r in region.interiors])
+    for finer in (r for r in radius * np.array(NOTCH_ROUNDINGS) if r < rounding):
+        if len(deep) == 0:
+            break
+        there = buffer(shapely.union_all(deep), CRACK)
+        closed = buffer(buffer(islands, finer), -finer)
+        outside = shapely.difference(there, closed)
+        visited = shapely.difference(visited, outside)
+        visited = Polygon(largest(buffer(buffer(visited, SEAM), -SEAM)).exterior)
+        left = shapely.get_parts(shapely.difference(shapely.intersection(visited, there), islands))
+        deep = left[_depths(left, visited) > NOTCH_SLACK]
+    return visited
+
+
+def _depths(pieces: NDArray[np.object_], visited: Polygon) -> Floats:
+    """Return how far pieces of ground reach away from the ring that encloses it [mm]."""
+    points, piece = shapely.get_coordinates(pieces, return_index=True)
+    depths = np.zeros(len(pieces))
+    np.maximum.at(depths, piece, shapely.distance(visited.exterior, shapely.points(points)))
+    return depths
 
 
 def _bridges(islands: list[Polygon]) -> list[LineString]:

@@ -110,6 +110,26 @@ def test_any_convex_pocket_is_cleared(pocket):
     assert lifts(result) == 1
 
 
+def gear(teeth: int, root: float, tip: float) -> Polygon:
+    """Return a gear whose notches are narrower at their bottom."""
+    shares = np.arange(teeth)[:, None] + np.array([-0.37, -0.19, 0.19, 0.37])
+    angles = 2 * math.pi / teeth * shares
+    radii = np.array([root, tip, tip, root])
+    return Polygon(np.dstack([radii * np.cos(angles), radii * np.sin(angles)]).reshape(-1, 2))
+
+
+@pytest.mark.parametrize("angle", [0.0, 37.0])
+@pytest.mark.parametrize("teeth", [10, 16])
+def test_notches_of_an_island_are_cut_as_gently_as_the_rest(teeth, angle):
+    around = Point(0, 0).buffer(45, quad_segs=64).union(box(0, -30, 75, 30))
+    pocket = around.difference(gear(teeth, 22, 28)).difference(Point(55, 0).buffer(6))
+    report = automatic(rotate(pocket, angle, origin=(0, 0))).report
+    assert report.uncut_area < 0.01
+    assert report.gouge <= 0.01
+    assert report.engagement_p99 <= report.engagement_limit + math.radians(11)
+    assert report.over_limit_share <= 0.5 * OVER
+
+
 @pytest.mark.parametrize("angle", [15.0, 40.0, 90.0])
 def test_turning_and_shifting_the_pocket_changes_little(angle):
     before = automatic(L_SHAPE).report
