@@ -24,6 +24,7 @@ from .shaping import (
     grown,
     largest,
     oriented,
+    rim_points,
     thick_parts,
 )
 
@@ -82,7 +83,7 @@ def _corner_step(piece: Polygon, visited: Polygon, omega: Polygon, rules: FrontR
         corners = shapely.get_coordinates(taken)
         if taken.area > SLIVER and are_within(visited, corners, limit).all():
             # a channel has no corners but at its mouths
-            rim = shapely.get_coordinates(shapely.segmentize(taken, rules.stepover))
+            rim, _ = rim_points(taken, rules.stepover)
             if are_within(visited, rim, rules.stepover).all():
                 return taken
     # deeper than any fillet: one ordinary step into it

@@ -22,7 +22,7 @@ from shapely import LineString, Polygon
 
 from .model import Floats
 from .region import polygons_of
-from .shaping import CRACK, Region, are_within, buffer, largest, oriented
+from .shaping import CRACK, Region, are_within, buffer, largest, oriented, rim_points
 
 #: The slot rounds the wall's corners with at least the first of these radii, over R; with the
 #: second where the first leaves more than `CRUMB` but the second no more than `DONE` [mm]; and
@@ -133,7 +133,7 @@ def _depths(pieces: NDArray[np.object_], region: Region) -> Floats:
     Nothing if it is less than `CRUMB`, infinite if the region is empty.
     """
     # a channel between two rooms has no corners but at its mouths
-    points, piece = shapely.get_coordinates(shapely.segmentize(pieces, ACUTE), return_index=True)
+    points, piece = rim_points(pieces, ACUTE)
     off = np.full(len(points), np.inf)
     if not region.is_empty:
         near = are_within(region, points, CRUMB)

@@ -109,6 +109,19 @@ def without_whiskers(shape: Polygon) -> Polygon:
     return shape
 
 
+def rim_points(
+    shapes: Region | NDArray[np.object_], spacing: float
+) -> tuple[Floats, NDArray[np.intp]]:
+    """Return points along the rims of regions, no farther apart [mm], and which region each is of.
+
+    Made denser as an area, a region would lose what hangs on it by a hairline.
+    """
+    parts, shape = shapely.get_parts(np.atleast_1d(shapes), return_index=True)
+    rings, part = shapely.get_rings(parts, return_index=True)
+    points, ring = shapely.get_coordinates(shapely.segmentize(rings, spacing), return_index=True)
+    return points, shape[part[ring]]
+
+
 def edges_of(shape: Region) -> tuple[Floats, Floats]:
     """Return where the edges of a region begin and end, shape (n, 2) each [mm]."""
     rings = [ring for p in shapely.get_parts(shape) for ring in (p.exterior, *p.interiors)]

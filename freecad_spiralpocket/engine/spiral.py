@@ -20,7 +20,7 @@ from .model import Floats
 from .nearest import nearest
 from .points import distances_along
 from .polyline import locate, points_at
-from .shaping import Region
+from .shaping import Region, rim_points
 from .strokes import CHORD, Stroke
 
 #: Length of the zone over which a lap becomes the next, over R: the way across adds its angle to
@@ -224,7 +224,7 @@ def without_air(points: Floats, stock: Region, reach: float) -> Floats | None:
     x, y = np.meshgrid(np.arange(x0, x1, SAMPLING * reach), np.arange(y0, y1, SAMPLING * reach))
     inner = np.column_stack([x.ravel(), y.ravel()])
     inner = inner[shapely.contains_xy(stock, inner)]
-    rim = shapely.get_coordinates(shapely.segmentize(stock, SAMPLING * reach))
+    rim, _ = rim_points(stock, SAMPLING * reach)
     samples = np.vstack([inner, rim])
     tree = shapely.STRtree(shapely.points(points))
     sample, hit = tree.query(shapely.points(samples), predicate="dwithin", distance=reach)

@@ -16,6 +16,7 @@ import shapely
 
 from .levels import Level
 from .region import polygons_of, widest_disc
+from .shaping import rim_points
 
 #: The rim of a step is looked at in places no farther apart than this [mm].
 SPACING = 1.0
@@ -60,7 +61,7 @@ def step_of(level: Level) -> Step:
     """Return the step that stays on the walls of one level."""
     width, place = 0.0, None
     for piece in polygons_of(shapely.difference(level.mouth, level.pocket)):
-        points = shapely.get_coordinates(shapely.segmentize(piece, SPACING))
+        points, _ = rim_points(piece, SPACING)
         far = shapely.distance(shapely.points(points), level.pocket)
         worst = int(np.argmax(far))
         here, reach = (points[worst][0], points[worst][1]), float(far[worst])

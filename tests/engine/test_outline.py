@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import shapely
 from shapely import LineString, Point, Polygon, box
+from shapely.affinity import rotate
 from shapes import DUMBBELL, L_SHAPE, SQUARE, request
 
 from freecad_spiralpocket.engine import open_sides, plan
@@ -16,7 +17,7 @@ from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
 from freecad_spiralpocket.engine.model import Cutting, Strategy
 from freecad_spiralpocket.engine.outline import outline_of
 from freecad_spiralpocket.engine.polyline import closed_line
-from freecad_spiralpocket.engine.shaping import thick_parts, without_whiskers
+from freecad_spiralpocket.engine.shaping import rim_points, thick_parts, without_whiskers
 from freecad_spiralpocket.engine.spiral import ends_of, spiral_through, without_air
 from freecad_spiralpocket.engine.strokes import strokes_between
 from freecad_spiralpocket.engine.toolpath import Role
@@ -95,6 +96,28 @@ def test_sharp_corners_stay_for_strokes_and_are_cut(only_outline):
     assert made.report.uncut_area < 0.01
     ends = made.toolpath.points[made.toolpath.roles == Role.CUT][:, :2]
     assert shapely.distance(LineString(ends), corner) < 0.02
+
+
+@pytest.mark.parametrize("width", [15.0, 22.0, 26.0, 33.0])
+@pytest.mark.parametrize("angle", [0.0, 37.0])
+def test_slot_goes_into_slim_tips(width, angle, only_outline):
+    wedge = rotate(Polygon([(0, 0), (120, 0), (120, width)]), angle, origin=(0, 0))
+    region = regions(wedge)
+    assert shapely.hausdorff_distance(outline_of(region, R).ring, region.exterior) < 0.55
+    report = plan(request(wedge, strategy=Strategy.AUTOMATIC)).report
+    assert report.engagement_p99 <= report.engagement_limit + math.radians(6)
+    assert report.uncut_area < 0.01
+
+
+def test_rims_keep_what_hangs_on_by_a_hairline():
+    wedge = Polygon([(33, 3), (117, 18.4), (117, 3)])
+    blunt = shapely.intersection(wedge.buffer(-0.45).buffer(0.45), wedge)
+    pieces = shapely.get_parts(shapely.difference(wedge, blunt))
+    assert not any(shapely.segmentize(p, 0.5).distance(Point(33, 3)) == 0 for p in pieces)
+    points, piece = rim_points(pieces, 0.5)
+    assert shapely.distance(Point(33, 3), shapely.points(points)).min() == 0.0
+    for i, shape in enumerate(pieces):
+        assert shapely.distance(shape.boundary, shapely.points(points[piece == i])).max() < 1e-9
 
 
 @pytest.mark.parametrize("name", POCKETS)
