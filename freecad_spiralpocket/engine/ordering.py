@@ -144,18 +144,27 @@ class _Cutter:
 
     def next(self, ready: Sequence[int]) -> Step:
         """Return the step to one of the runs."""
-        ways = [w for r in ready for w in range(self._first[r], self._first[r + 1])]
-        away = np.hypot(*(self._starts[ways] - self._here).T)
-        nearest_first = [ways[i] for i in np.argsort(away, kind="stable")]
-        near = nearest_first[: np.count_nonzero(away < OVERLAP)]
+        bounds = [(self._first[r], self._first[r + 1], self._runs[r].spare) for r in ready]
+        ways, near = self._nearest_first([w for a, b, n in bounds for w in range(a, b - n)])
         runs = [self._runs[self._ways[w][0]] for w in near]
         behind = [w for w, r in zip(near, runs, strict=True) if r.is_late or len(r.strokes) == 1]
         step = self._going_on(behind)
         if step is None:
-            link, way = self._fastest_link(nearest_first)
+            link, way = self._fastest_link(ways)
+            if link is None:
+                spare, _ = self._nearest_first([w for _, b, n in bounds for w in range(b - n, b)])
+                if spare:
+                    link, other = self._fastest_link(spare)
+                    way = way if link is None else other
             run, points = self._ways[way]
             step = Step(link, points(), run)
         return step
+
+    def _nearest_first(self, ways: Sequence[int]) -> tuple[list[int], list[int]]:
+        """Return ways by how far they begin from here, and those among them that do so near by."""
+        away = np.hypot(*(self._starts[list(ways)] - self._here).T)
+        nearest = [ways[i] for i in np.argsort(away, kind="stable")]
+        return nearest, nearest[: np.count_nonzero(away < OVERLAP)]
 
     def may_take(self, step: Step) -> bool:
         """Return whether a step leads on from here through free ground, without a lift."""

@@ -61,9 +61,10 @@ class Links:
     ) -> None:
         motion = situation.motion
         self._cleared, self._motion = situation.cleared, motion
-        starts = np.concatenate([r.starts for r in runs])
-        arriving = np.concatenate([r.headings for r in runs])
-        home = np.repeat(np.arange(len(runs)), [len(r.ways) for r in runs])
+        counts = [len(r.ways) - r.spare for r in runs]
+        starts = np.concatenate([r.starts[:n] for r, n in zip(runs, counts, strict=True)])
+        arriving = np.concatenate([r.headings[:n] for r, n in zip(runs, counts, strict=True)])
+        home = np.repeat(np.arange(len(runs)), counts)
         self._run_of = np.zeros(1 + max(s for r in runs for s in r.strokes), np.intp)
         for i, run in enumerate(runs):
             self._run_of[list(run.strokes)] = i

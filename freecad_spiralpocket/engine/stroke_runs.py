@@ -59,6 +59,8 @@ class Run:
         Indices of the runs that must be done before.
     is_late : bool
         Whether a way may be begun a little behind its start, though it is several strokes.
+    spare : int
+        So many of the last ways are worse, for where no link leads to the others.
     """
 
     strokes: tuple[int, ...]
@@ -67,6 +69,7 @@ class Run:
     headings: Floats
     needs: frozenset[int] = frozenset()
     is_late: bool = False
+    spare: int = 0
 
 
 def leanings(strokes: Sequence[Stroke], stepover: float) -> list[set[int]]:
@@ -144,15 +147,16 @@ def _spiral(
         widest = min(WIDEST_INWARDS * stepover, WITHOUT_CUSPS * radius)
     size = zone_size(radius, stepover)
     if first.level == 1 and _begins_on(ring, laps[0], first.exterior, size, widest):
-        source, at = ring, np.zeros(1)
+        source, at, spare = ring, np.zeros(1), 0
     else:
         before = fronts[first.level - 1]
         rings = [before.exterior, *before.interiors]
         sides = [LineString(shapely.get_coordinates(r)) for r in rings]
         source = sides[int(shapely.STRtree(sides).query_nearest(laps[0], all_matches=False)[0])]
         at = np.empty(0) if first.exterior else ends_of(source, laps[0], size, widest)
-        if len(at) == 0:
-            at = zones(source, laps[0], size, widest)
+        ends = len(at)
+        at = np.append(at, zones(source, laps[0], size, widest))
+        spare = len(at) - ends if ends else 0
     count, here, place = 1, source, float(at[0])
     while count < len(chain) and needs[chain[count]] <= set(chain[:count]):
         place = float(laps[count - 1].project(here.interpolate(place)))
@@ -182,6 +186,7 @@ def _spiral(
         tuple(partial(way, float(a)) for a in at),
         starts,
         np.array([unit(v) for v in ahead - starts]),
+        spare=spare,
     )
 
 

@@ -18,10 +18,13 @@ HEIGHTS = Heights(
 FEEDS = Feeds(horizontal=50.0, vertical=12.5, horizontal_rapid=83.0, vertical_rapid=83.0)
 
 
-def regular(n: int, radius: float, turn: float = 0.0) -> Polygon:
+def regular(
+    n: int, radius: float, turn: float = 0.0, center: tuple[float, float] = (0.0, 0.0)
+) -> Polygon:
     """Return a regular polygon of `n` corners on a circle."""
+    x, y = center
     angles = [turn + 2 * math.pi * i / n for i in range(n)]
-    return Polygon([(radius * math.cos(a), radius * math.sin(a)) for a in angles])
+    return Polygon([(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles])
 
 
 def rounded(polygon: Polygon, radius: float) -> Polygon:

@@ -23,6 +23,7 @@ from shapes import (
     assert_ways_down_are_fed,
     convex_pockets,
     lifts,
+    regular,
 )
 from shapes import request as make_request
 
@@ -89,6 +90,19 @@ def test_pocket_is_cleared_gently_without_lifts(name):
     assert report.over_limit_share <= OVER
     assert lifts(result) == 1
     assert_ways_down_are_fed(result)
+
+
+def test_branched_ground_between_islands_is_reached_without_lifts():
+    # where three channels meet stock stays, the slot round it hardly wider than a line
+    hexagons = [
+        regular(6, 9.0, math.pi / 6, (27.0 * i + 13.5 * (j % 2), 23.4 * j))
+        for i in range(4)
+        for j in range(3)
+    ]
+    result = automatic(box(-24, -24, 119, 70.8).difference(shapely.union_all(hexagons)))
+    assert lifts(result) == 1
+    assert result.report.uncut_area < 0.01
+    assert result.report.link_hit <= TOUCH
 
 
 # each example takes a good part of a second: a failing one is told as it is, not shrunk
