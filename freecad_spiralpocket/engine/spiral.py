@@ -39,6 +39,8 @@ SLIM = 0.5
 EVEN = 1.0
 #: Places to leave a lap that are looked at, on long ones one in so many R.
 ZONES, APART = 8, 1.5
+#: Distance of all places where a lap may be left, over R.
+CLOSE = 0.25
 #: Distance of samples of the stock that the last lap of a plug takes, over R.
 SAMPLING = 0.2
 #: So little of that stock is none [mm2], and the path runs on so far, over R.
@@ -126,6 +128,14 @@ def zones(lap: LineString, target: LineString, radius: float, widest: float) -> 
         return starts[[int(np.argmin(np.round(gaps(lap, target, starts, length), 3)))]]
     count = max(ZONES, int(lap.length / (APART * radius)))
     return starts[good[np.unique(np.linspace(0, len(good) - 1, count).astype(int))]]
+
+
+def anywhere(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
+    """Return all places along `lap` where it may be left for `target`, `CLOSE` together [mm]."""
+    count = max(12, int(lap.length / (CLOSE * radius)))
+    starts = np.linspace(0.0, lap.length, count, endpoint=False)
+    length = zone_length(lap, target, radius)
+    return starts[np.round(gaps(lap, target, starts, length, 1.01 * widest), 3) <= widest]
 
 
 def ends_of(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:

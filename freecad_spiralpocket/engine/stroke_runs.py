@@ -15,6 +15,7 @@ from .model import Floats
 from .polyline import closed_line, points_at
 from .shaping import Region, buffer
 from .spiral import (
+    anywhere,
     chains_of,
     ends_of,
     gaps,
@@ -154,9 +155,10 @@ def _spiral(
         sides = [LineString(shapely.get_coordinates(r)) for r in rings]
         source = sides[int(shapely.STRtree(sides).query_nearest(laps[0], all_matches=False)[0])]
         at = np.empty(0) if first.exterior else ends_of(source, laps[0], size, widest)
-        ends = len(at)
-        at = np.append(at, zones(source, laps[0], size, widest))
-        spare = len(at) - ends if ends else 0
+        if len(at) == 0:
+            at = zones(source, laps[0], size, widest)
+        others = np.empty(0) if first.exterior else anywhere(source, laps[0], size, widest)
+        at, spare = np.append(at, others), len(others)
     count, here, place = 1, source, float(at[0])
     while count < len(chain) and needs[chain[count]] <= set(chain[:count]):
         place = float(laps[count - 1].project(here.interpolate(place)))

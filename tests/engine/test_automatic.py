@@ -105,6 +105,17 @@ def test_branched_ground_between_islands_is_reached_without_lifts():
     assert result.report.link_hit <= TOUCH
 
 
+def test_rooms_in_a_row_are_entered_from_either_side():
+    # two rows of cells; the slot round what stands in each is hardly wider than a line
+    cells = [Point(20 * i, 22 * j).buffer(9.3) for i in range(4) for j in range(2)]
+    necks = [box(0, 22 * j - 3.6, 60, 22 * j + 3.6) for j in range(2)]
+    tray = shapely.union_all([*cells, *necks, box(56.4, 0, 63.6, 22)])
+    result = automatic(Polygon(tray.buffer(-3.05).buffer(3.05, quad_segs=32).exterior))
+    assert lifts(result) <= 2
+    assert result.report.uncut_area < 0.01
+    assert result.report.link_hit <= TOUCH
+
+
 # each example takes a good part of a second: a failing one is told as it is, not shrunk
 @settings(
     max_examples=15,
