@@ -54,6 +54,8 @@ class Situation:
     motion : Motion
     radius : float
         R [mm].
+    takes_spares : bool
+        Whether a run may be begun by one of its spare ways, where no link leads to the others.
     """
 
     cleared: ClearedMap
@@ -62,6 +64,7 @@ class Situation:
     heading: Floats
     motion: Motion
     radius: float
+    takes_spares: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,6 +137,7 @@ class _Cutter:
     def __init__(self, runs: Sequence[Run], situation: Situation) -> None:
         self._runs, self._cleared = runs, situation.cleared.copied()
         self._motion, self._radius = situation.motion, situation.radius
+        self._takes_spares = situation.takes_spares
         self._here, self._heading = situation.here, situation.heading
         self._fence = shapely.buffer(situation.omega, SLACK)
         shapely.prepare(self._fence)
@@ -151,7 +155,7 @@ class _Cutter:
         step = self._going_on(behind)
         if step is None:
             link, way = self._fastest_link(ways)
-            if link is None:
+            if link is None and self._takes_spares:
                 spare, _ = self._nearest_first([w for _, b, n in bounds for w in range(b - n, b)])
                 if spare:
                     link, other = self._fastest_link(spare)

@@ -166,13 +166,29 @@ def _fastest(
 
 
 def _in_better_order(best: _Best, motion: Motion, tick: Callable[[], None]) -> _Best:
-    """Return the runs of a start in the sequence that is found by search, if that takes less."""
+    """Return the runs of a start in the sequence that is found by search, if that takes less.
+
+    Where the cutter still lifts, runs may be begun by their spare ways.
+    """
     laid = best.laid
-    if laid.situation is None or len(laid.steps) < WORTH_A_SEARCH:
+    if laid.situation is None:
         return best
-    steps = in_better_sequence(laid.steps, laid.runs, laid.situation, tick)
+    steps = _searched(laid.steps, laid.runs, laid.situation, tick)
+    if any(step.link is None for step in steps):
+        situation = replace(laid.situation, takes_spares=True)
+        other = _searched(order(laid.runs, situation, tick), laid.runs, situation, tick)
+        steps = min(steps, other, key=lambda steps: link_seconds(steps, motion))
     saved = link_seconds(laid.steps, motion) - link_seconds(steps, motion)
     return replace(best, laid=replace(laid, steps=steps), seconds=best.seconds - saved)
+
+
+def _searched(
+    steps: Sequence[Step], runs: Sequence[Run], situation: Situation, tick: Callable[[], None]
+) -> Sequence[Step]:
+    """Return steps in the sequence that is found by search, if these are enough for one."""
+    if len(steps) < WORTH_A_SEARCH:
+        return steps
+    return in_better_sequence(steps, runs, situation, tick)
 
 
 def _check_width(region: Polygon, request: PocketRequest) -> None:
