@@ -221,9 +221,8 @@ class _Cutter:
             found = long_ways.to(starts[w], headings[w])
             if found is not None:
                 return found, w
-        backs = [(w, back_along_ring(here, starts[w], self._cleared, self._fence)) for w in ways]
-        there = [(way, w) for w, way in backs if way is not None]
-        return min(there, key=lambda found: LineString(found[0]).length, default=(None, ways[0]))
+        back = back_along_ring(here, starts[ways], self._cleared, self._fence)
+        return (None, ways[0]) if back is None else (back[0], ways[back[1]])
 
 
 def _from_here(points: Floats, here: Floats, heading: Floats) -> Floats | None:

@@ -186,37 +186,42 @@ class LongWays:
 
 
 def back_along_ring(
-    start: Floats, end: Floats, cleared: ClearedMap, fence: Polygon
-) -> Floats | None:
-    """Return the way over the slot that the entry cut, the shorter way round; None if it is none.
+    start: Floats, ends: Floats, cleared: ClearedMap, fence: Polygon
+) -> tuple[Floats, int] | None:
+    """Return the shortest way over the slot that the entry cut, and the index of its end.
 
-    The cutter stops and turns where it leaves and where it arrives: from the end of an arm hardly
-    wider than itself there is no other way back but to lift.
+    None if it leads to no end. The cutter stops and turns where it leaves and where it arrives:
+    from the end of an arm hardly wider than itself there is no other way back but to lift.
 
     Parameters
     ----------
-    start, end : ndarray of shape (2,)
+    start : ndarray of shape (2,)
+        [mm]
+    ends : ndarray of shape (n, 2)
         [mm]
     cleared : ClearedMap
     fence : shapely.Polygon
         Is not left.
     """
     ring = cleared.ring
-    if ring is None:
+    if ring is None or shapely.distance(ring, shapely.points(start)) > ON_RING:
         return None
-    off = shapely.distance(ring, shapely.points([start, end]))
-    a, b = shapely.line_locate_point(ring, shapely.points([start, end])).tolist()
-    onwards = (b - a) % ring.length
-    if onwards < ring.length / 2:
-        way = between(ring, a, onwards)
-    else:
-        way = between(ring, b, ring.length - onwards)[::-1]
-    points = np.vstack([start, way, end])
-    line = LineString(points[np.append(True, np.hypot(*np.diff(points, axis=0).T) > 1e-6)])
-    if off.max() > ON_RING or not fence.covers(line):
-        return None
-    # the time of a link is told from its points
-    return shapely.get_coordinates(shapely.segmentize(line, CHORD))
+    near = np.flatnonzero(shapely.distance(ring, shapely.points(ends)) <= ON_RING)
+    begin = float(shapely.line_locate_point(ring, shapely.points(start)))
+    places = shapely.line_locate_point(ring, shapely.points(ends[near]))
+    onwards = (places - begin) % ring.length
+    lengths = np.minimum(onwards, ring.length - onwards)
+    for i in np.argsort(lengths, kind="stable").tolist():
+        if onwards[i] < ring.length / 2:
+            way = between(ring, begin, float(onwards[i]))
+        else:
+            way = between(ring, float(places[i]), float(lengths[i]))[::-1]
+        points = np.vstack([start, way, ends[near[i]]])
+        line = LineString(points[np.append(True, np.hypot(*np.diff(points, axis=0).T) > 1e-6)])
+        if fence.covers(line):
+            # the time of a link is told from its points
+            return shapely.get_coordinates(shapely.segmentize(line, CHORD)), int(near[i])
+    return None
 
 
 def _turns(heading: Floats, radius: float) -> list[Floats]:
