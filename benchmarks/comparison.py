@@ -130,7 +130,7 @@ def new(create: Any, job: Any, face: str) -> Any:
 def request_of(job: Any, face: str) -> PocketRequest:
     """Return what our operation would ask for on a face."""
     op = new(operation.Create, job, face)
-    (found,) = foresight.requests_of(op)
+    (found,), _ = foresight.requests_of(op)
     job.Document.removeObject(op.Name)
     return replace(found, machine=machines.load(next(iter(MACHINES))))
 
