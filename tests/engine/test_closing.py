@@ -4,11 +4,12 @@
 import numpy as np
 import pytest
 import shapely
-from shapely import LineString, Point, box
+from shapely import LineString, Point, Polygon, box
 from shapes import CIRCLE, SQUARE, request
 
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.blocks import blocks_of_toolpath
+from freecad_spiralpocket.engine.laps.closing import corner_fillet
 from freecad_spiralpocket.engine.linking import come_to_wall
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import Strategy
@@ -47,3 +48,12 @@ def test_lap_goes_all_along_the_wall(aside):
     wall = shapely.points(shapely.get_coordinates(shapely.segmentize(line, 0.5)))
     assert shapely.distance(wall, LineString(way)).max() < 1e-9
     assert region.buffer(1e-3).covers(LineString(way))
+
+
+@pytest.mark.parametrize("depth", [9.0, 15.0, 16.5, 18.0, 24.0])
+def test_fillet_of_the_corners_goes_through_every_neck(depth):
+    # a wide fillet left a dent in each wall of the neck that its corners did not tell of
+    notch = LineString([(0, 40), (0, 15 + 7 - depth)]).buffer(7, quad_segs=32)
+    region = LineString([(-19, 0), (19, 0)]).buffer(15, quad_segs=64).difference(notch)
+    fillet = corner_fillet(region.buffer(-3).buffer(3, quad_segs=32), 2.4)
+    assert isinstance(region.buffer(-fillet), Polygon)

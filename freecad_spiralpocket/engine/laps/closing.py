@@ -39,12 +39,20 @@ def wall_inset(room: float) -> float:
 
 
 def corner_fillet(region: Polygon, stepover: float) -> float:
-    """Return the largest fillet that leaves the closing lap little enough in the corners [mm]."""
+    """Return the largest fillet that leaves the closing lap little enough in the corners [mm].
+
+    And that goes through every neck: beyond one too narrow for it the wall would get a dent.
+    """
     corners = shapely.points(shapely.get_coordinates(region))
     for share in FILLETS:
-        opened = grow(grow(region, -share * stepover), share * stepover)
+        core = grow(region, -share * stepover)
+        if not isinstance(core, Polygon) or core.is_empty:
+            continue
+        if len(core.interiors) != len(region.interiors):
+            continue
+        opened = grow(core, share * stepover)
         shapely.prepare(opened)
-        if not opened.is_empty and shapely.dwithin(opened, corners, CORNER_BITE * stepover).all():
+        if shapely.dwithin(opened, corners, CORNER_BITE * stepover).all():
             return share * stepover
     return FILLETS[-1] * stepover
 
