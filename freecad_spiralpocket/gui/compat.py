@@ -77,9 +77,12 @@ def load_form(path: Any) -> Any:
 
 
 def _is_what_it_seems(named: Any) -> bool:
-    """Return whether a Qt object is of the class that Python takes it for."""
+    """Return whether Python takes a Qt object for the nearest class that it knows."""
     kind = named.metaObject() if isinstance(named, QtCore.QObject) else None
     while kind is not None and kind.className() != type(named).__name__:
+        # the last widget there may have been of a class that this one's class inherits
+        if hasattr(QtGui, kind.className()):
+            return False
         kind = kind.superClass()
     return kind is not None
 

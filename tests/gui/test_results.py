@@ -9,7 +9,7 @@ import pytest
 from conftest import DEPTH, add_job, floors, plate
 from FreeCAD import Vector
 from pivy import coin
-from PySide import QtCore
+from PySide import QtCore, QtGui
 from window import (
     APPLY,
     CANCEL,
@@ -223,12 +223,19 @@ def test_first_line_tells_the_error_before_any_notice(opened):
 def test_figures_of_the_last_path_are_gone_while_an_error_is_shown(opened):
     labels = [page().result_box.figures.itemAt(i).widget() for i in range(4)]
     seen = []
-    QtCore.QTimer.singleShot(300, lambda: seen.extend(w.isVisible() for w in labels))
+
+    def look():
+        if QtGui.QApplication.activeModalWidget() is not None:
+            seen.append(any(w.isVisible() for w in labels))
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(10)
     widget("helixAngle").setProperty("rawValue", 0.0)
     with answered():
         press(OK)
-    pump(0.3)
-    assert seen and not any(seen)
+    timer.stop()
+    assert seen and not seen[-1]
     press(CANCEL)
 
 
