@@ -4,13 +4,14 @@
 Only G0, G1, G2 and G3 with every coordinate written out, arcs by their center and
 never more than half a turn: all that FreeCAD's display, dressups, simulators and
 posts understand alike. Coordinates are rounded; a move that goes nowhere once a
-post has rounded it to three decimals is left out, since controllers take an arc
-that ends where it begins for a full circle.
+post has rounded it to three decimals is left out. Controllers take an arc that ends
+where it begins, as rounded by whatever post, for a full circle: short arcs are lines.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import math
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,9 @@ DECIMALS = 9
 ZERO = 5e-5
 #: Decimals that posts write by default.
 POST_DECIMALS = 3
+#: The ends of an arc farther apart than the first stay apart in four decimals of an inch; farther
+#: than the second in three. Short of that it is a line if it is as flat as this [mm].
+SHORT, SHORTISH, FLAT = 0.004, 0.04, 0.001
 
 _NAMES = {Kind.RAPID: "G0", Kind.LINE: "G1", Kind.ARC_CW: "G2", Kind.ARC_CCW: "G3"}
 
@@ -60,8 +64,8 @@ def from_toolpath(toolpath: Toolpath, *, with_feeds: bool = True) -> list[Any]:
         if target == seen:
             continue
         words = dict(zip("XYZ", there, strict=True))
-        if kind >= Kind.ARC_CW and target[:2] == seen[:2]:
-            kind = Kind.LINE  # nothing of the arc is left but its height
+        if kind >= Kind.ARC_CW and _is_line(here, there, center):
+            kind = Kind.LINE
         if kind >= Kind.ARC_CW:
             words["I"], words["J"] = _rounded(np.subtract(center, here[:2])).tolist()
         if with_feeds and kind != Kind.RAPID:
@@ -69,6 +73,15 @@ def from_toolpath(toolpath: Toolpath, *, with_feeds: bool = True) -> list[Any]:
         commands.append(Path.Command(_NAMES[kind], words))
         here, seen = there, target
     return commands
+
+
+def _is_line(begin: Sequence[float], end: Sequence[float], center: Sequence[float]) -> bool:
+    """Return whether an arc of at most half a turn is better written as a line."""
+    chord, radius = math.dist(begin[:2], end[:2]), math.dist(end[:2], center)
+    if chord < SHORT:
+        return True
+    height = radius - math.sqrt(max(0.0, radius**2 - chord**2 / 4))
+    return chord < SHORTISH and height < FLAT
 
 
 def join(parts: Iterable[list[Any]]) -> list[Any]:

@@ -68,6 +68,30 @@ def test_an_arc_of_which_only_the_height_is_left_becomes_a_line():
     assert made.Name == "G1" and made.z == 4
 
 
+@pytest.mark.parametrize(("unit", "decimals"), [(1, 3), (1, 4), (1, 5), (25.4, 3), (25.4, 4)])
+def test_no_arc_ends_where_it_begins_in_any_post(unit, decimals):
+    """A controller would go once all the way round."""
+    random = np.random.default_rng(decimals)
+    for _ in range(400):
+        chord, radius = 10 ** random.uniform(-7, -0.5), 10 ** random.uniform(-0.5, 2)
+        turn, place = random.uniform(0, 2 * np.pi), random.uniform(-50, 50, 2)
+        if random.random() < 0.5:  # just where one rounds up and one down
+            place = unit * (np.round(place / unit, 3) + 0.5e-3)
+        angles = turn + np.array([0, 2 * np.arcsin(min(1, chord / 2 / radius))])
+        center = place - radius * np.array([np.cos(turn), np.sin(turn)])
+        begin, end = center + radius * np.column_stack([np.cos(angles), np.sin(angles)])
+        made = built(
+            ("line", (*begin, 5), FEED, Role.CUT), ("arc", (*end, 5), center, True, FEED, Role.CUT)
+        )
+        last, before = made[-1], made[-2]
+        if last.Name == "G3":
+            ends = np.array([[before.x, before.y], [last.x, last.y]]) / unit
+            assert np.ptp(np.round(ends, decimals), axis=0).any()
+        # what is a line instead is one but for a thousandth of a millimeter
+        elif chord > 0.05:
+            assert last.Name == "G3"
+
+
 def test_nothing_is_a_negative_zero():
     made = built(("line", (-1e-9, -1e-9, 1), FEED, Role.CUT))[-1]
     assert not any(np.signbit(v) for v in made.Parameters.values())
