@@ -11,11 +11,13 @@ from collections.abc import Sequence
 from typing import Any
 
 import FreeCAD
+from PySide import QtCore
 
 from ..engine.model import FeedMode, Strategy
+from ..op.compat import parent_job
 from ..op.properties import INHERITED, TABLE, option_names
 from .choices import strategy_note
-from .compat import PathOpGui, has_tool_controller_editor, load_form
+from .compat import PathOpGui, PathUtils, has_tool_controller_editor, load_form
 from .extras import FACTORIES, Extra
 from .fields import Check, Choice, Field, LinkFeed, Number, Quantity
 from .names import rename_attributes
@@ -110,6 +112,27 @@ class OperationPage(PathOpGui.TaskPanelPage):
         if getattr(self, "tcEditor", None):
             rename_attributes(self.tcEditor)
 
+    def resetToolController(self, job: Any, tc: Any) -> None:  # noqa: N802
+        """Take a tool controller that was just added, if that was to the operation's own job."""
+        if job == parent_job(self.obj):
+            super().resetToolController(job, tc)
+
+    def updateToolController(self, obj: Any, combo: Any) -> None:  # noqa: N802
+        """Write the chosen tool controller; none is chosen after it was deleted."""
+        if combo.currentIndex() >= 0:
+            super().updateToolController(obj, combo)
+
+    def tcComboChanged(self, newIndex: int) -> None:  # noqa: N802, N803
+        """Take the chosen tool controller, or a copy or a new one (1.1).
+
+        None is chosen after it was deleted, and there is nothing to copy.
+        """
+        combo = self.form.toolController
+        others = [tc.Label for tc in PathUtils.getToolControllers(self.obj)]
+        is_copy = newIndex < combo.count() - 1 and combo.itemText(newIndex) not in others
+        if newIndex >= 0 and not (is_copy and self.obj.ToolController is None):
+            super().tcComboChanged(newIndex)
+
     def getSignalsForUpdate(self, obj: Any) -> list[Any]:  # noqa: N802
         """Return the signals on which the fields are written."""
         own = [self.form.toolController, self.form.coolantController]
@@ -201,7 +224,31 @@ class OperationPage(PathOpGui.TaskPanelPage):
             self.tool = tool
             if not self.is_writing:
                 self.step_over.show()
+                QtCore.QTimer.singleShot(0, self.show_tool_controller)  # the editor may be writing
             self.tell_changed()
+
+    def show_tool_controller(self) -> None:
+        """Show a label, feeds and speed that were changed elsewhere, lest they are written back."""
+        if self.is_closed or self.obj.ToolController is None:
+            return
+        if hasattr(self, "resetTCCombo"):
+            self.resetTCCombo()
+        else:
+            self.setupToolController(self.obj, self.form.toolController)
+        if getattr(self, "tcEditor", None):
+            self.tcEditor.updateUi()
+
+    def drop_tool_controller(self, controller: Any) -> None:
+        """Take one that is deleted off the list; if it was chosen, none is."""
+        combo, blocker = self.form.toolController, QtCore.QSignalBlocker(self.form.toolController)
+        is_chosen = controller == self.obj.ToolController
+        combo.removeItem(combo.findText(controller.Label))
+        if is_chosen:
+            combo.setCurrentIndex(-1)
+            if getattr(self, "tcEditor", None):
+                self.tcEditor.controller.hide()
+                self.tcEditor.updateToolController = lambda: None  # there is nothing to write to
+        blocker.unblock()
 
     def look_again(self) -> None:
         """Look whether a recompute has changed part, stock or earlier operations."""

@@ -143,6 +143,11 @@ class TaskPanel(PathOpGui.TaskPanel):
         if self.is_open and not self.document.Transacting and not self.obj.Removing:
             self.operation_page.update_tool(changed)
 
+    def slotDeletedObject(self, deleted: Any) -> None:  # noqa: N802 - as above
+        """Take a tool controller off the list, unless the operation goes with it."""
+        if self.is_open and deleted in _tool_controllers(self.document.getObject(self.name)):
+            self.operation_page.drop_tool_controller(deleted)
+
     def slotRecomputedDocument(self, document: Any) -> None:  # noqa: N802 - as above
         """Follow part, stock and earlier operations."""
         if document == self.document and self.is_open:
@@ -195,6 +200,12 @@ class TaskPanel(PathOpGui.TaskPanel):
 def _touched(document: Any) -> set[Any]:
     """Return the objects that the next recompute would compute."""
     return {obj for obj in document.Objects if "Touched" in obj.State}
+
+
+def _tool_controllers(obj: Any) -> list[Any]:
+    """Return those of an operation's job, none for an operation that is gone."""
+    job = None if obj is None or obj.Removing else parent_job(obj)
+    return [] if job is None else job.Tools.Group
 
 
 def _close_transaction(*, abort: bool) -> None:
