@@ -14,7 +14,7 @@ import FreeCADGui
 from PathScripts import PathUtils
 from PySide import QtCore, QtGui
 
-from ..op.compat import IS_LEGACY, PathOp
+from ..op.compat import IS_LEGACY, STALE_ELEMENT_ERRORS, PathOp
 from .names import renamed
 
 if IS_LEGACY:
@@ -29,6 +29,7 @@ __all__ = [
     "PathOpGui",
     "PathSelection",
     "PathUtils",
+    "bear_lost_selection",
     "check_box_signal",
     "freecad_icon",
     "has_tool_controller_editor",
@@ -50,6 +51,24 @@ FORMS = 5
 
 #: What making an operation raises when the job has no tool controller, or none was chosen.
 NO_TOOL_CONTROLLER_ERRORS = (PathUtils.PathNoTCExistsException, PathOp.PathNoTCException)
+
+
+def bear_lost_selection(page: Any) -> None:
+    """Let FreeCAD's page for depths bear a face that is selected still, but gone from its part.
+
+    It raises at the face's height, and leaves the panel without what comes after that.
+    """
+    height_of = getattr(page, "selectionZLevel", None)
+    if height_of is None:
+        return
+
+    def height_if_there(selected: Any) -> float | None:
+        try:
+            return height_of(selected)
+        except STALE_ELEMENT_ERRORS:
+            return None
+
+    page.selectionZLevel = height_if_there
 
 
 def check_box_signal(box: Any) -> Any:

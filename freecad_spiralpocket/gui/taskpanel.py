@@ -22,7 +22,7 @@ from PySide import QtCore, QtGui
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..op.compat import parent_job
 from . import messages
-from .compat import PathOpGui, PathSelection
+from .compat import PathOpGui, PathSelection, bear_lost_selection
 from .names import forget_namesakes, rename_attributes, renamed
 from .outlook import was_stopped
 from .room import make_room
@@ -45,6 +45,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         names = {}
         for each in self.featurePages:
             names.update(rename_attributes(each))
+            bear_lost_selection(each)
         pages = self.form if isinstance(self.form, list) else [self.form]
         # boxes of their own, so that they stay in sight whatever is scrolled in the pages
         self.form = [*(names.get(p, p) for p in pages), *page.boxes]

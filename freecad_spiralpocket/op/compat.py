@@ -63,8 +63,9 @@ __all__ = [
     "tool_shape",
 ]
 
-#: What ``Shape.getElement`` raises for a face that is not there (any more).
-STALE_ELEMENT_ERRORS = (Part.OCCError, ValueError, IndexError)
+#: What ``Shape.getElement`` raises for a face that is not there (any more), and what an empty
+#: shape in the place of one raises.
+STALE_ELEMENT_ERRORS = (FreeCAD.Base.FreeCADError, Part.OCCError, ValueError, IndexError)
 
 #: A post must not open its editor window.
 _QUIET = "--no-show-editor"

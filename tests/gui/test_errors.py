@@ -4,7 +4,9 @@
 import sys
 
 import FreeCAD
+import Part
 import pytest
+from conftest import plate
 from snapshot import differences, snapshot
 from window import (
     APPLY,
@@ -124,6 +126,24 @@ def test_operation_of_a_job_without_tools_cannot_be_edited(doc, job, floor):
         edit(operation)
     assert len(answer.texts) == 1 and "tool controller" in answer.texts[0]
     assert not is_panel_open()
+
+
+def test_face_that_the_part_has_lost_is_named_while_it_is_selected(doc, job, part, floor):
+    select(floor)
+    press_toolbar_button()
+    press(OK)
+    (operation,) = job.Operations.Group
+    select(floor)
+    part.Shape = Part.makeBox(44, 32, 12, FreeCAD.Vector(0, 0, -12))
+    doc.recompute()
+    edit(operation)
+    with answered() as answer:
+        press(OK)
+    assert len(answer.texts) == 1 and floor[1] in answer.texts[0]
+    part.Shape = plate()
+    doc.recompute()
+    press(OK)
+    assert not is_panel_open() and operation.Path.Length > 0
 
 
 def test_operation_outside_a_job_cannot_be_edited(job, floor):
