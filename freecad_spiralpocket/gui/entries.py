@@ -218,9 +218,9 @@ class Entry:
         if value is None:
             if not self.scale.unit:
                 return translate("SpiralPocket", "Type a number.")
-            return translate("SpiralPocket", "Type a number; without a unit it is in {}.").format(
-                self.scale.unit
-            )
+            return translate(
+                "SpiralPocket", 'Type a number; where no unit is typed, it is "{}".'
+            ).format(self.scale.unit)
         if high == MOST and value < low:
             return translate("SpiralPocket", "Type {} or more.").format(self.scale.text(low))
         if self._is_positive:

@@ -14,9 +14,10 @@ from __future__ import annotations
 import json
 import re
 from functools import cache
+from xml.etree import ElementTree
 
 import FreeCAD
-from PySide.QtCore import QT_TRANSLATE_NOOP, QLocale
+from PySide.QtCore import QT_TRANSLATE_NOOP, QFile, QLocale
 
 from .resulttext import in_user_unit
 from .startup import RESOURCES
@@ -60,8 +61,20 @@ LABELS = {
     "ExtendOpenSides": "Extend open sides",
     "UseRestMachining": "Use rest machining",
 }
+START_POINT = "StartPoint"
+#: FreeCAD's own pages, and their widgets with the labels for the properties that the engine names.
+FREECADS_FORMS = {
+    ":/panels/PageDepthsEdit.ui": {
+        "startDepthLabel": "StartDepth",
+        "finalDepthLabel": "FinalDepth",
+        "stepDownLabel": "StepDown",
+        "finishDepthLabel": "FinishDepth",
+    },
+    ":/panels/PageHeightsEdit.ui": {"label_7": "SafeHeight", "label_9": "ClearanceHeight"},
+}
+_OF_FREECAD = [name for widgets in FREECADS_FORMS.values() for name in widgets.values()]
 #: Their names, also where no space parts words, as in Chinese.
-_NAMES = re.compile(rf"(?<![A-Za-z])({'|'.join(LABELS)})(?![A-Za-z])")
+_NAMES = re.compile(rf"(?<![A-Za-z])({'|'.join([*LABELS, START_POINT, *_OF_FREECAD])})(?![A-Za-z])")
 _NUMBER = re.compile(r"-?\d+\.\d+")
 
 _PLACE = re.compile(r"\{(\d+|at)\}")
@@ -75,8 +88,29 @@ def in_panel(text: str) -> str:
 
 
 def _label(name: str) -> str:
-    label = translate(PANEL, LABELS[name])
+    if name in LABELS:
+        label = translate(PANEL, LABELS[name])
+    elif name == START_POINT:  # whose boxes have labels of their own
+        label = translate("SpiralPocket", "Start point")
+    else:
+        label = translate("Form", _freecads_labels().get(name, name))
     return label if label == name else translate("SpiralPocket", '"{}"').format(label)
+
+
+@cache
+def _freecads_labels() -> dict[str, str]:
+    """Return how FreeCAD's own pages call their properties: one version as "Start Depth"."""
+    labels = {}
+    for name, widgets in FREECADS_FORMS.items():
+        file = QFile(name)
+        if not file.open(QFile.ReadOnly):
+            continue
+        for widget in ElementTree.fromstring(bytes(file.readAll())).iter("widget"):
+            if widget.get("name") in widgets:
+                text = widget.findtext("property[@name='text']/string")
+                labels[widgets[widget.get("name")]] = text
+        file.close()
+    return labels
 
 
 def localized(text: str) -> str:

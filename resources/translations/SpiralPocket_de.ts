@@ -240,8 +240,8 @@
         <translation>{} bis {} eingeben.</translation>
     </message>
     <message>
-        <source>Type a number; without a unit it is in {}.</source>
-        <translation>Eine Zahl eingeben; ohne Einheit gilt sie in {}.</translation>
+        <source>Type a number; where no unit is typed, it is "{}".</source>
+        <translation>Eine Zahl eingeben; ohne Angabe ist die Einheit „{}“.</translation>
     </message>
     <message>
         <source>Type {} or more.</source>
@@ -254,6 +254,10 @@
     <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>Vorschub der Wege in der Tiefe durch geräumte Fläche, 0 für den waagerechten Eilgang</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>Startpunkt</translation>
     </message>
     <message>
         <source>"{}"</source>
@@ -875,6 +879,10 @@
         <translation>Keine Fläche ist ausgewählt.</translation>
     </message>
     <message>
+        <source>No isotherm leads to the slot.</source>
+        <translation>Keine Isotherme führt zur Nut.</translation>
+    </message>
+    <message>
         <source>Planning feeds</source>
         <translation>Vorschübe werden geplant</translation>
     </message>
@@ -1201,6 +1209,10 @@
     <message>
         <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
         <translation>Der Pfad wurde erzeugt, führe aber bei {at} {0} mm durch stehendes Material, wo er nicht schneiden soll; er wird nicht ausgegeben.</translation>
+    </message>
+    <message>
+        <source>The plate has several summits.</source>
+        <translation>Die Platte hat mehrere Gipfel.</translation>
     </message>
     <message>
         <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>

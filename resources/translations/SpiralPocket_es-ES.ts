@@ -240,8 +240,8 @@
         <translation>Escriba de {} a {}.</translation>
     </message>
     <message>
-        <source>Type a number; without a unit it is in {}.</source>
-        <translation>Escriba un número; sin unidad se toma en {}.</translation>
+        <source>Type a number; where no unit is typed, it is "{}".</source>
+        <translation>Escriba un número; si no se indica otra, la unidad es «{}».</translation>
     </message>
     <message>
         <source>Type {} or more.</source>
@@ -254,6 +254,10 @@
     <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>Avance de los movimientos en profundidad por zona vaciada, 0 para el rápido horizontal</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>Punto de inicio</translation>
     </message>
     <message>
         <source>"{}"</source>
@@ -875,6 +879,10 @@
         <translation>No hay ninguna cara seleccionada.</translation>
     </message>
     <message>
+        <source>No isotherm leads to the slot.</source>
+        <translation>Ninguna isoterma lleva a la ranura.</translation>
+    </message>
+    <message>
         <source>Planning feeds</source>
         <translation>Planificando avances</translation>
     </message>
@@ -1201,6 +1209,10 @@
     <message>
         <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
         <translation>La trayectoria se hizo, pero en {at} atravesaría {0} mm de material donde no debe cortar; no se entrega.</translation>
+    </message>
+    <message>
+        <source>The plate has several summits.</source>
+        <translation>La placa tiene varias cumbres.</translation>
     </message>
     <message>
         <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>

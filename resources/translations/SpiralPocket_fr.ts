@@ -240,8 +240,8 @@
         <translation>Saisissez de {} à {}.</translation>
     </message>
     <message>
-        <source>Type a number; without a unit it is in {}.</source>
-        <translation>Saisissez un nombre ; sans unité, il est en {}.</translation>
+        <source>Type a number; where no unit is typed, it is "{}".</source>
+        <translation>Saisissez un nombre ; sans autre indication, l’unité est « {} ».</translation>
     </message>
     <message>
         <source>Type {} or more.</source>
@@ -254,6 +254,10 @@
     <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>Avance des trajets en profondeur sur zone vidée, 0 pour l'avance rapide horizontale</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>Point de départ</translation>
     </message>
     <message>
         <source>"{}"</source>
@@ -875,6 +879,10 @@
         <translation>Aucune face n'est sélectionnée.</translation>
     </message>
     <message>
+        <source>No isotherm leads to the slot.</source>
+        <translation>Aucune isotherme ne mène à la rainure.</translation>
+    </message>
+    <message>
         <source>Planning feeds</source>
         <translation>Calcul des avances</translation>
     </message>
@@ -1201,6 +1209,10 @@
     <message>
         <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
         <translation>Le parcours a été fait, mais traverserait en {at} {0} mm de matière là où il ne doit pas couper ; il n'est pas remis.</translation>
+    </message>
+    <message>
+        <source>The plate has several summits.</source>
+        <translation>La plaque a plusieurs sommets.</translation>
     </message>
     <message>
         <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>

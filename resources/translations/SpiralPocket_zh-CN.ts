@@ -240,8 +240,8 @@
         <translation>请输入 {} 到 {} 之间的值。</translation>
     </message>
     <message>
-        <source>Type a number; without a unit it is in {}.</source>
-        <translation>请输入一个数；不带单位时以 {} 计。</translation>
+        <source>Type a number; where no unit is typed, it is "{}".</source>
+        <translation>请输入一个数；未写单位时，单位为“{}”。</translation>
     </message>
     <message>
         <source>Type {} or more.</source>
@@ -254,6 +254,10 @@
     <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>在已清除区域内以切深移动时的进给，0 为水平快移速度</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>起点</translation>
     </message>
     <message>
         <source>"{}"</source>
@@ -875,6 +879,10 @@
         <translation>未选择面。</translation>
     </message>
     <message>
+        <source>No isotherm leads to the slot.</source>
+        <translation>没有等温线通向槽。</translation>
+    </message>
+    <message>
         <source>Planning feeds</source>
         <translation>规划进给</translation>
     </message>
@@ -1201,6 +1209,10 @@
     <message>
         <source>The path was made, but at {at} would run {0} mm through standing stock where it should not cut; it is not handed out.</source>
         <translation>刀路已生成，但在 {at} 处会在不应切削的地方穿过 {0} mm 残余材料；不予输出。</translation>
+    </message>
+    <message>
+        <source>The plate has several summits.</source>
+        <translation>板上有多个峰。</translation>
     </message>
     <message>
         <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>

@@ -5,7 +5,7 @@ import xml.etree.ElementTree as ElementTree
 
 import FreeCADGui
 import pytest
-from PySide import QtCore
+from PySide import QtCore, QtGui
 from window import (
     CANCEL,
     action,
@@ -113,6 +113,24 @@ def test_messages_name_what_the_panel_shows(job, floor, german):
     status = panel().operation_page.preview.box.status.text()
     for told in (widget("summary").text(), remarks(), status):
         assert "passt nicht" in told and "„XY-Aufmaß“" in told and "StockToLeave" not in told
+    press(CANCEL)
+
+
+def test_messages_name_what_freecads_own_pages_show(job, floor, german):
+    select(floor)
+    press_toolbar_button()
+    shown = [
+        label.text()
+        for page in panel().featurePages
+        for label in page.form.findChildren(QtGui.QLabel)
+    ]
+    names = [name for form in module.FREECADS_FORMS.values() for name in form.values()]
+    assert len(names) == 6
+    for name in names:
+        label = in_panel(f"Is it {name}?").removeprefix("Is it „").removesuffix("“?")
+        assert label in shown and label != name
+    assert in_panel("Set StepDown above 0.") == "„Schritt runter“ über 0 setzen."
+    assert in_panel("Is it StartPoint?") == "Is it „Startpunkt“?"
     press(CANCEL)
 
 

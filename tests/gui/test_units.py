@@ -149,6 +149,13 @@ def test_ok_does_not_close_over_what_was_not_taken(operation):
     assert not is_panel_open() and operation.StepOver == 40
 
 
+def test_advice_reads_well_in_inches(inches, operation):
+    type_into(widget("stockToLeave"), "much")
+    with answered() as answer:
+        press(OK)
+    assert len(answer.texts) == 1 and 'where no unit is typed, it is "in".' in answer.texts[0]
+
+
 def test_inches_can_be_typed_where_millimeters_are_shown(operation):
     type_into(widget("stepOver"), "0.06 in")
     assert operation.MaxEngagement.Value == pytest.approx(60.53, abs=0.01)
