@@ -143,9 +143,16 @@ def choose_faces(model: Any, names: Sequence[str] | None) -> list[str]:
     Raises
     ------
     SelectionError
-        If none was named and there is not exactly one; its hint lists them.
+        If none was named and there is not exactly one; its hint lists them. If one is named that
+        the part has not.
     """
-    if names and list(names) != ["all"]:
+    if names and "all" not in names:
+        faces = [f"Face{number}" for number in range(1, len(model.Shape.Faces) + 1)]
+        for name in names:
+            if name not in faces:
+                raise SelectionError(
+                    f"The part has no face {name}.", f"Its faces are Face1 to {faces[-1]}."
+                )
         return list(names)
     floors = sorted(selection.find_floors(model), key=lambda f: f.face.BoundBox.XMin)
     if not floors:
@@ -235,7 +242,21 @@ def write(args: argparse.Namespace, job: Any, op: Any) -> None:
         tool = compat.tool_name(op.ToolController.Tool)
         picture.draw(op.Proxy.plans, args.png, f"{args.part.stem}, {tool}")
     if args.fcstd:
-        job.Document.saveAs(str(args.fcstd.resolve()))
+        save(job.Document, args.fcstd)
+
+
+def save(document: Any, path: Path) -> None:
+    """Write a FreeCAD document, and the folders that it needs.
+
+    Raises
+    ------
+    SetupError
+        If that is not possible.
+    """
+    try:
+        document.saveAs(str(path.resolve()))
+    except (OSError, RuntimeError) as error:
+        raise SetupError(f"Cannot write {path}.", "Choose another file.") from error
 
 
 if __name__ == "__main__":
