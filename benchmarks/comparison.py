@@ -130,7 +130,7 @@ def new(create: Any, job: Any, face: str) -> Any:
 def request_of(job: Any, face: str) -> PocketRequest:
     """Return what our operation would ask for on a face."""
     op = new(operation.Create, job, face)
-    (found,), _ = foresight.requests_of(op)
+    (found,) = foresight.requests_of(op).requests
     job.Document.removeObject(op.Name)
     return replace(found, machine=machines.load(next(iter(MACHINES))))
 

@@ -89,3 +89,27 @@ class SetupError(SpiralPocketError):
 
 class CancelledError(SpiralPocketError):
     """The user pressed Stop."""
+
+
+def named(failures: list[tuple[str, SpiralPocketError]], pockets: int) -> list[SpiralPocketError]:
+    """Return errors, each once with the labels of the pockets that have it, if not all have it.
+
+    Parameters
+    ----------
+    failures : list of (str, SpiralPocketError)
+        The label of a pocket and what is the matter with it.
+    pockets : int
+        How many there are.
+    """
+    labels: dict[str, list[str]] = {}
+    errors = {str(error): error for _, error in reversed(failures)}
+    for label, error in failures:
+        labels.setdefault(str(error), []).append(label)
+    result = []
+    for text, having_it in labels.items():
+        error = errors[text]
+        if len(having_it) < pockets and having_it[0] not in error.message:
+            message = f"{'; '.join(having_it)}: {error.message}"
+            error = type(error)(message, error.hint, error.place)
+        result.append(error)
+    return result

@@ -19,7 +19,7 @@ from PySide import QtCore
 
 from ..beside.tasks import Drawn
 from ..engine.dependencies import require_libraries
-from ..engine.errors import CancelledError, SpiralPocketError
+from ..engine.errors import CancelledError, SpiralPocketError, named
 from ..engine.model import Notice, Plan, PocketRequest
 from . import planning
 from .lane import Job
@@ -42,8 +42,8 @@ class Outlook:
     ----------
     pockets : list of Pocket
         One for each selected face that makes a sound request.
-    problems : list of SpiralPocketError
-        What keeps other pockets, or all, from being planned.
+    problems : list of (str, SpiralPocketError)
+        What keeps other pockets, or all, from being planned, with their labels.
     notices : list of Notice
         What is to be told of the pockets before they are planned.
     listeners : list of callable
@@ -55,7 +55,7 @@ class Outlook:
     def __init__(self, page: Any) -> None:
         self._obj = page.obj
         self.pockets: list[Pocket] = []
-        self.problems: list[SpiralPocketError] = []
+        self.problems: list[tuple[str, SpiralPocketError]] = []
         self.notices: list[Notice] = []
         self.listeners: list[Callable[[], None]] = []
         self.is_on, self.is_stopped = True, False
@@ -134,8 +134,18 @@ class Outlook:
 
     @property
     def errors(self) -> list[SpiralPocketError]:
-        """Return what keeps pockets, or all, from being cut."""
-        return [*self.problems, *(p.error for p in self.pockets if p.error)]
+        """Return what keeps pockets from being cut, and which if not all of several."""
+        return named(self.failures, len(self.pockets) + len(self.problems))
+
+    @property
+    def failures(self) -> list[tuple[str, SpiralPocketError]]:
+        """Return the labels of all pockets that cannot be cut, and why."""
+        return [*self.problems, *((p.label, p.error) for p in self.pockets if p.error)]
+
+    @property
+    def are_several(self) -> bool:
+        """Return whether several pockets are selected."""
+        return len(self.pockets) + len(self.problems) > 1
 
     @property
     def fraction(self) -> float:
@@ -170,15 +180,20 @@ class Outlook:
             require_libraries()
             from ..op.foresight import requests_of
 
-            found, self.notices = [], []
+            found, self.notices, labels = [], [], []
             if self._obj.Active:
-                found, self.notices = requests_of(self._obj, self._shapes)
+                found, self.notices, labels = requests_of(self._obj, self._shapes)
         except SpiralPocketError as error:
-            found, self.notices = [error], []
-        self.problems = [f for f in found if isinstance(f, SpiralPocketError)]
+            found, self.notices, labels = [error], [], [""]
+        pairs = list(zip(labels, found, strict=True))
+        self.problems = [(label, f) for label, f in pairs if isinstance(f, SpiralPocketError)]
         old = {p.request: p for p in self.pockets}
-        wanted = [f for f in found if isinstance(f, PocketRequest)]
-        self.pockets = [old.pop(r, None) or Pocket(r, self._tell_soon) for r in wanted]
+        self.pockets = []
+        for label, wanted in pairs:
+            if isinstance(wanted, PocketRequest):
+                pocket = old.pop(wanted, None) or Pocket(wanted, self._tell_soon)
+                pocket.label = label
+                self.pockets.append(pocket)
         for pocket in old.values():
             pocket.close()
         for pocket in self.pockets:
@@ -207,6 +222,8 @@ class Pocket:
     Attributes
     ----------
     request : PocketRequest
+    label : str
+        What the user calls its floor.
     draft : Draft or None
     is_drafted : bool
         Whether there is a draft, or will be none.
@@ -218,6 +235,7 @@ class Pocket:
 
     def __init__(self, request: PocketRequest, tell: Callable[[], None]) -> None:
         self.request = request
+        self.label = ""
         self.draft: Draft | None = None
         self.is_drafted = False
         self.drawn: Drawn | None = None

@@ -122,7 +122,7 @@ class ResultBox:
 
     def _missing(self) -> int:
         """Return how many of the pockets cannot be cut."""
-        return len(self._outlook.errors if self._outlook.is_on else self._obj.Proxy.errors)
+        return len(self._outlook.failures if self._outlook.is_on else self._obj.Proxy.errors)
 
     def _enable(self, on: bool) -> None:
         """Show what stands here, and the line at the top of the page, in black or in grey."""

@@ -121,10 +121,12 @@ def remarks_of(obj: Any, outlook: Outlook, plans: Sequence[Plan]) -> list[Remark
     """
     top = outlook.pockets[0].request.heights.start_depth if outlook.pockets else 0.0
     known: list[tuple[Notice | SpiralPocketError, float]] = []
-    known += [(p.error, p.request.heights.start_depth) for p in outlook.pockets if p.error]
+    known += [(error, top) for error in outlook.errors]
     known += [(notice, top) for notice in outlook.notices]
     for pocket in outlook.pockets:
         found = pocket.drawn.plan.report.notices if pocket.drawn else ()
+        if outlook.are_several:
+            found = [Notice(f"{pocket.label}: {n.message}", n.hint, n.place) for n in found]
         known += [(notice, pocket.request.heights.start_depth) for notice in found]
     if not outlook.is_on:
         known = [(n, p.request.heights.start_depth) for p in plans for n in p.report.notices]
@@ -132,9 +134,7 @@ def remarks_of(obj: Any, outlook: Outlook, plans: Sequence[Plan]) -> list[Remark
         return [Remark(text, _place_in(text, known)) for text in obj.Notices]
     if not outlook.is_on and "Touched" not in obj.State:
         return [Remark(str(e)) for e in obj.Proxy.errors if not isinstance(e, CancelledError)]
-    remarks = [Remark(str(problem)) for problem in outlook.problems]
-    remarks += [Remark(str(notice), _place(notice, z)) for notice, z in known]
-    return list(dict.fromkeys(remarks))
+    return list(dict.fromkeys(Remark(str(notice), _place(notice, z)) for notice, z in known))
 
 
 def _is_same(one: Plan, other: Plan) -> bool:

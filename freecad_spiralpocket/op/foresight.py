@@ -11,7 +11,7 @@ document is only read.
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import Any, NamedTuple
 
 import FreeCAD
 
@@ -63,10 +63,25 @@ class Foresight:
         return type(now)(getattr(value, "Value", value))
 
 
-def requests_of(
-    obj: Any, known: dict[Any, Any] | None = None
-) -> tuple[list[PocketRequest | SpiralPocketError], list[Notice]]:
-    """Return what the next recompute will ask for, one for each selected face, and its notices.
+class Foreseen(NamedTuple):
+    """What the next recompute will ask for.
+
+    Attributes
+    ----------
+    requests : list of PocketRequest or SpiralPocketError
+        One for each selected floor.
+    notices : list of Notice
+    labels : list of str
+        What the user calls each floor.
+    """
+
+    requests: list[PocketRequest | SpiralPocketError]
+    notices: list[Notice]
+    labels: list[str]
+
+
+def requests_of(obj: Any, known: dict[Any, Any] | None = None) -> Foreseen:
+    """Return what the next recompute will ask for.
 
     Parameters
     ----------
@@ -83,7 +98,7 @@ def requests_of(
     pockets = Pockets(Foresight(obj), known=known)
     found = pockets.requests()
     notices = [*obj.Proxy.tool_notices(obj), *pockets.foreseen_notices(found)]
-    return [wanted for _, wanted in found], notices
+    return Foreseen([wanted for _, wanted in found], notices, pockets.labels)
 
 
 def _now(obj: Any) -> list[tuple[str, float]]:

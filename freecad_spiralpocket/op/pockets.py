@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
 from ..beside.crew import plan_together
-from ..engine.errors import SpiralPocketError
+from ..engine.errors import SpiralPocketError, named
 from ..engine.model import Notice, Plan, PocketRequest, Progress
 from . import commands, open_sides, remarks, request, rest, seams, sections, selection, walls
 from .compat import parent_job
@@ -62,7 +62,7 @@ class Pockets:
         self._known = {} if known is None else known
         self._earlier = earlier
         self._notices: list[Notice] = []
-        self._failures: dict[str, tuple[SpiralPocketError, list[str]]] = {}
+        self._failures: list[tuple[str, SpiralPocketError]] = []
         self._deepest = min(selection.heights(obj.Base), default=0.0)
         self._overhung: dict[int, float] = {}
         self.plans: list[Plan] = []
@@ -98,23 +98,21 @@ class Pockets:
         planned = (planner or plan_together)([found[i][1] for i in missing], progress)
         for i, outcome in zip(missing, planned, strict=True):
             outcomes[i] = outcome
-        for (floor, _), outcome, face in zip(found, outcomes, self._selected, strict=True):
+        for (floor, _), outcome, label in zip(found, outcomes, self.labels, strict=True):
             if isinstance(outcome, SpiralPocketError):
-                labels = self._failures.setdefault(str(outcome), (outcome, []))[1]
-                labels.append(selection.label(face[0], ", ".join(face[1])))
+                self._failures.append((label, outcome))
             else:
                 self._take(floor, outcome)
 
     @property
     def errors(self) -> list[SpiralPocketError]:
         """Return what went wrong; an error that all pockets share names none of them."""
-        result = []
-        for error, labels in self._failures.values():
-            if len(labels) < len(self._selected) and labels[0] not in error.message:
-                message = f"{'; '.join(labels)}: {error.message}"
-                error = type(error)(message, error.hint, error.place)
-            result.append(error)
-        return result
+        return named(self._failures, len(self._selected))
+
+    @property
+    def labels(self) -> list[str]:
+        """Return what the user calls each selected floor."""
+        return [selection.label(model, ", ".join(names)) for model, names in self._selected]
 
     def notices(self) -> list[Notice]:
         """Return what the machinist should know, the pockets that failed first."""

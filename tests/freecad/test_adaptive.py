@@ -40,7 +40,7 @@ def fed_length(path):
 def test_moves_are_those_of_freecads_operation(doc):
     job, part, face = small_job(doc)
     ours = api.add_spiral_pocket(job, [(part, [face])], StepOver=40, Strategy="Linear Morph")
-    (request,), _ = requests_of(ours)
+    (request,), *_ = requests_of(ours)
     made = plan_adaptive(request).toolpath
     theirs = make_adaptive(job, job.Model.Group[0], face, 40)
     fed = made.kinds == 1

@@ -28,7 +28,7 @@ def fresh(doc):
 
 
 def test_of_a_new_operation(fresh):
-    foreseen, _ = requests_of(fresh)
+    foreseen, *_ = requests_of(fresh)
     fresh.Document.recompute()
     assert foreseen == planned(fresh)
 
@@ -53,7 +53,7 @@ def test_reading_touches_nothing(fresh):
 )
 def test_with_an_expression(fresh, name, expression):
     fresh.setExpression(name, expression)
-    foreseen, _ = requests_of(fresh)
+    foreseen, *_ = requests_of(fresh)
     fresh.Document.recompute()
     assert foreseen == planned(fresh)
 
@@ -64,7 +64,7 @@ def test_with_another_tool_and_more_stock(fresh):
     job.Tools.Group[0].Tool.Diameter = 4
     job.Stock.ExtZpos = 2
     job.Stock.recompute()
-    foreseen, _ = requests_of(fresh)
+    foreseen, *_ = requests_of(fresh)
     assert foreseen[0].tool_diameter == 4
     fresh.touch()
     fresh.Document.recompute()

@@ -41,7 +41,7 @@ def test_of_ordinary_depths_nothing_is_told(job):
 def test_what_is_probably_not_meant_is_told_before_and_after(job, options, words):
     op = cut(job, **options)
     assert told(op, words)
-    _, notices = requests_of(op)
+    _, notices, _ = requests_of(op)
     assert any(words in str(notice) for notice in notices)
 
 

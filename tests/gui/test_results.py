@@ -299,6 +299,9 @@ def test_pocket_that_cannot_be_cut_leaves_the_result_of_the_others(doc):
     FreeCADGui.Selection.clearSelection()
     settle()
     assert "makes this path" in state() and "does not fit" in remarks()
+    narrow = next(n for n in floors(part, -DEPTH) if part.getSubObject(n).BoundBox.XMin > 40)
+    for told in (remarks(), page().preview.box.status.text()):
+        assert f"Part, {narrow}: " in told
     assert "limit" in widget("summary").text() and "not cut: 1" in widget("summary").text()
     assert "does not fit" in page().preview.box.status.text()
     assert page().preview.box.slider.isEnabled()
