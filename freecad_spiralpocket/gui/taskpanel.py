@@ -141,12 +141,13 @@ class TaskPanel(PathOpGui.TaskPanel):
 
     def slotChangedObject(self, changed: Any, name: str) -> None:  # noqa: N802 - as above
         """Follow the tool, which has an editor in the panel since 1.1."""
-        if self.is_open and not self.document.Transacting and not self.obj.Removing:
+        if self._has_operation() and not self.document.Transacting:
             self.operation_page.update_tool(changed)
 
     def slotDeletedObject(self, deleted: Any) -> None:  # noqa: N802 - as above
         """Take a tool controller off the list, unless the operation goes with it."""
-        if self.is_open and deleted in _tool_controllers(self.document.getObject(self.name)):
+        job = parent_job(self.obj) if self._has_operation() else None
+        if job is not None and deleted in job.Tools.Group:
             self.operation_page.drop_tool_controller(deleted)
 
     def slotRecomputedDocument(self, document: Any) -> None:  # noqa: N802 - as above
@@ -160,6 +161,11 @@ class TaskPanel(PathOpGui.TaskPanel):
             QtCore.QTimer.singleShot(0, self.abandon)
 
     slotRedoDocument = slotUndoDocument  # noqa: N815 - the name FreeCAD calls
+
+    def _has_operation(self) -> bool:
+        """Return whether the panel is open and its operation neither gone nor going."""
+        obj = self.document.getObject(self.name) if self.is_open else None
+        return obj is not None and not obj.Removing
 
     def _was_refused(self) -> bool:
         """Say so if something was typed that cannot be taken, once."""
@@ -201,12 +207,6 @@ class TaskPanel(PathOpGui.TaskPanel):
 def _touched(document: Any) -> set[Any]:
     """Return the objects that the next recompute would compute."""
     return {obj for obj in document.Objects if "Touched" in obj.State}
-
-
-def _tool_controllers(obj: Any) -> list[Any]:
-    """Return those of an operation's job, none for an operation that is gone."""
-    job = None if obj is None or obj.Removing else parent_job(obj)
-    return [] if job is None else job.Tools.Group
 
 
 def _close_transaction(*, abort: bool) -> None:

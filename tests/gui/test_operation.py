@@ -153,6 +153,15 @@ def test_deleting_the_operation_with_the_panel_open_closes_it(doc, job, operatio
     assert not job.Operations.Group
 
 
+def test_deleting_the_job_with_the_panel_open_closes_it(doc, job, operation):
+    edit(operation)
+    job.ViewObject.Proxy.onDelete(job.ViewObject)
+    doc.removeObject(job.Name)
+    pump()
+    assert not is_panel_open()
+    assert [o.Label for o in doc.Objects] == ["Part"]
+
+
 def test_cancelled_edit_restores_values_and_path_without_recompute(doc, operation):
     before, plans = snapshot(doc), operation.Proxy.plans
     edit(operation)
