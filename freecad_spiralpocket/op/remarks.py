@@ -127,6 +127,6 @@ def rest(share: float) -> Notice:
             "Move this operation behind the one with the larger cutter, or unset UseRestMachining.",
         )
     return Notice(
-        f"Earlier operations have cleared {100 * share:.0f} % of this pocket; the rest is cut.",
+        f"Earlier operations have cleared {int(100 * share)} % of this pocket; the rest is cut.",
         "Recompute this operation when they change.",
     )

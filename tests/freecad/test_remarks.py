@@ -5,6 +5,7 @@ import pytest
 from sample_parts import DEPTH, QUICK, add_job, add_part, area, block, faces_at, motion, rectangle
 
 from freecad_spiralpocket import api
+from freecad_spiralpocket.op import remarks
 from freecad_spiralpocket.op.foresight import requests_of
 
 
@@ -84,3 +85,7 @@ def test_a_short_edge_and_a_spindle_in_reverse_are_told(job):
     op.StepDown = 1.5
     job.Document.recompute()
     assert not told(op, "cutting edge")
+
+
+def test_a_rest_is_not_told_as_nothing():
+    assert "cleared 99 % of" in remarks.rest(0.9974).message
