@@ -10,13 +10,13 @@ figure. The stock's top is the part's top.
 from __future__ import annotations
 
 import argparse
-import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from . import api
+from .arguments import positive
 from .engine.errors import SelectionError, SetupError, SpiralPocketError
 from .op import compat, part_files, results, selection
 
@@ -73,17 +73,6 @@ def parser() -> argparse.ArgumentParser:
     add("--fcstd", type=Path, metavar="FILE", help="FreeCAD document to write")
     add("--png", type=Path, metavar="FILE", help="picture to write")
     return p
-
-
-def positive(text: str) -> float:
-    """Return a number above 0."""
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
-    if not 0 < value < math.inf:
-        raise argparse.ArgumentTypeError(f"{text} is not a number above 0")
-    return value
 
 
 def main(argv: Sequence[str] | None = None) -> int:

@@ -22,6 +22,7 @@ import numpy as np
 from shapely import Polygon
 
 from . import gcode, machines
+from .arguments import positive, positive_whole
 from .engine.errors import RequestError, SetupError, SpiralPocketError
 from .engine.force import MATERIALS, Cutter
 from .engine.stepover import engagement_angle
@@ -67,18 +68,18 @@ def parser() -> argparse.ArgumentParser:
         help="page to write, beside the file if not given",
     )
     add("--operation", metavar="LABEL", help="of the document, the first one if not given")
-    add("--tool", type=float, metavar="D", help="diameter of the end mill [mm]")
-    add("--flutes", type=int, default=2)
+    add("--tool", type=positive, metavar="D", help="diameter of the end mill [mm]")
+    add("--flutes", type=positive_whole, default=2)
     add("--helix", type=float, default=30.0, metavar="DEG", help="helix angle of the flutes")
-    add("--stepover", type=float, metavar="MM", help="largest radial depth of cut [mm]")
+    add("--stepover", type=positive, metavar="MM", help="largest radial depth of cut [mm]")
     add(
         "--axial-depth",
-        type=float,
+        type=positive,
         metavar="MM",
         help="of a full cut; the whole depth if not given",
     )
     add("--top", type=float, metavar="Z", help="top of the stock, 0 if not given")
-    add("--spindle", type=float, metavar="RPM", help="spindle speed")
+    add("--spindle", type=positive, metavar="RPM", help="spindle speed")
     add("--conventional", action="store_true", help="the program mills conventionally")
     add("--machine", help=f"preset, such as hobby_router; the operation's own or {MACHINE}")
     add("--machines", type=Path, metavar="FOLDER", help="folder with presets of your own")
@@ -92,6 +93,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         study = Study(*_study(args))
         target = args.output or args.file.with_suffix(".html")
+        if target.resolve() == args.file.resolve():
+            raise RequestError("The page would overwrite the program.", "Give another -o.")
         write_page(study, target, args.file.name)
     except (SpiralPocketError, OSError) as error:
         print(f"report: {error}", file=sys.stderr)
@@ -164,6 +167,8 @@ def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
     """Return path and setup; what the arguments say goes before what the file says."""
     if not args.file.is_file():
         raise RequestError(f"There is no file {args.file}.")
+    if args.machines is not None and not args.machines.is_dir():
+        raise RequestError(f"There is no folder {args.machines}.")
     is_document = args.file.suffix.lower() == ".fcstd"
     source = _from_document(args.file, args.operation) if is_document else _from_program(args.file)
 

@@ -87,3 +87,24 @@ def test_program_above_the_stock_is_told(tmp_path, capsys):
     path.write_text("G0 X0 Y0 Z5\nG1 X10 F100\n")
     assert report.main([str(path), "--tool", "6"]) == 1
     assert "never goes below" in capsys.readouterr().err
+
+
+def test_page_does_not_overwrite_the_program(program, capsys):
+    assert report.main([str(program), "--tool", "6", "-o", str(program)]) == 1
+    assert "overwrite the program" in capsys.readouterr().err
+    assert program.read_text() == PROGRAM
+
+
+def test_folder_of_machines_that_is_not_there_is_told(program, capsys):
+    assert report.main([str(program), "--tool", "6", "--machines", "nowhere"]) == 1
+    assert "no folder nowhere" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--tool", "-3"], ["--flutes", "0"], ["--flutes", "1.5"], ["--stepover", "nan"]]
+)
+def test_a_size_is_a_number_above_0(program, capsys, arguments):
+    with pytest.raises(SystemExit):
+        report.main([str(program), "--tool", "6", *arguments])
+    error = capsys.readouterr().err
+    assert f"{arguments[1]} is not a" in error
