@@ -49,6 +49,7 @@ __all__ = [
     "PathOp",
     "PathSetupSheet",
     "PathToolController",
+    "PathUtil",
     "PathUtils",
     "active_document",
     "add_tool_controller",

@@ -164,6 +164,14 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
             told = str(error)
             log(f"{told}\n" if told.startswith(obj.Label) else f"{obj.Label}: {told}\n")
 
+    def addBase(self, obj: Any, base: Any, sub: str) -> None:  # noqa: N802 - FreeCAD's name
+        """Add a face, by the name that it has in the job's model.
+
+        FreeCAD takes the assembly that a part is in for the part, and keeps the face's name, which
+        is that of another face there.
+        """
+        super().addBase(obj, *selection.in_model(parent_job(obj), base, sub))
+
     def opExecute(self, obj: Any) -> None:  # noqa: N802
         """Plan every pocket; the base class puts `commandlist` into the path."""
         require_libraries()

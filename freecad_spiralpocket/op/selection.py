@@ -21,7 +21,7 @@ import Part
 
 from ..engine.errors import SelectionError
 from . import seams
-from .compat import STALE_ELEMENT_ERRORS
+from .compat import STALE_ELEMENT_ERRORS, PathUtil
 from .seams import SAME_HEIGHT
 
 #: A floor may be out of level by this much [rad]: drawings are exact, IGES files are not.
@@ -311,3 +311,33 @@ def find_floors(model: Any) -> Iterator[Floor]:
             continue
         if not found.open_edges:
             yield found
+
+
+def in_model(job: Any, base: Any, name: str) -> tuple[Any, str]:
+    """Return the job's model and its name for a face of a part within it, else both as given.
+
+    Parameters
+    ----------
+    job : object
+    base : object
+        The part that was clicked on, which may be one of several in the model's original.
+    name : str
+    """
+    whole = PathUtil.getPublicObject(base)
+    if job is None or whole == base or not name.startswith("Face"):
+        return base, name
+    originals = [(job.Proxy.baseObject(job, model), model) for model in job.Model.Group]
+    for original, model in originals:
+        if original == base:
+            return model, name
+    face = base.Shape.getElement(name)
+    placed = base.getGlobalPlacement().multiply(base.Placement.inverse())
+    centers = [face.CenterOfMass, placed.multVec(face.CenterOfMass)]
+    for original, model in originals:
+        if original != whole:
+            continue
+        for number, other in enumerate(model.Shape.Faces, 1):
+            is_there = any(other.CenterOfMass.isEqual(c, SAME_HEIGHT) for c in centers)
+            if is_there and abs(other.Area - face.Area) <= SAME_HEIGHT * face.Area:
+                return model, f"Face{number}"
+    return base, name

@@ -298,3 +298,20 @@ def test_progress_covers_all_pockets_and_is_opened_once(doc, monkeypatch):
     assert labels == [made.Label]
     assert fractions == sorted(fractions) and (fractions[0], fractions[-1]) == (0, 1)
     assert seen[-1][1].startswith("Pocket 2 of 2")
+
+
+def test_face_of_a_part_in_an_assembly_is_the_one_that_was_clicked(doc):
+    assembly = doc.addObject("App::Part", "Assembly")
+    parts = [add_part(doc, block(area(rectangle(24, 18, 4))), name) for name in ("One", "Two")]
+    parts[1].Placement.Base.x = 100
+    for part in parts:
+        assembly.addObject(part)
+    doc.recompute()
+    job = add_job(doc, assembly)
+    op = operation.Create("SpiralPocket", parentJob=job)
+    (name,) = faces_at(parts[1].Shape, -DEPTH)
+    op.Proxy.addBase(op, parts[1], name)
+    ((model, (found,)),) = op.Base
+    center = model.Shape.getElement(found).CenterOfMass
+    assert model == job.Model.Group[0]
+    assert center.isEqual(parts[1].Shape.getElement(name).CenterOfMass, 1e-6)
