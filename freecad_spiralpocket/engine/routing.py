@@ -18,7 +18,7 @@ from .cleared import ClearedMap
 from .filters import dilated
 from .ground import COARSE, Ground
 from .model import Floats
-from .points import three_point_curvature
+from .points import distances_along, three_point_curvature
 from .spiral import between
 
 #: Longest chord of a link that is tried, and of one that is taken [mm].
@@ -34,6 +34,8 @@ HOPE = 3
 TURNS = (0.5, 1.0)
 #: What is nearer than this to the slot that the entry cut is on it [mm].
 ON_RING = 0.1
+#: Beside that slot a way draws near to it over so many times its distance.
+DRAW = 15.0
 
 
 class LongWays:
@@ -212,16 +214,33 @@ def back_along_ring(
     onwards = (places - begin) % ring.length
     lengths = np.minimum(onwards, ring.length - onwards)
     for i in np.argsort(lengths, kind="stable").tolist():
-        if onwards[i] < ring.length / 2:
-            way = between(ring, begin, float(onwards[i]))
+        end = ends[near[i]]
+        if lengths[i] < ON_RING:  # straight across, for both are beside one place
+            line = LineString([start, end])
+        elif onwards[i] < ring.length / 2:
+            line = LineString(between(ring, begin, float(onwards[i])))
         else:
-            way = between(ring, float(places[i]), float(lengths[i]))[::-1]
-        points = np.vstack([start, way, ends[near[i]]])
-        line = LineString(points[np.append(True, np.hypot(*np.diff(points, axis=0).T) > 1e-6)])
-        if fence.covers(line):
-            # the time of a link is told from its points
-            return shapely.get_coordinates(shapely.segmentize(line, CHORD)), int(near[i])
+            line = LineString(between(ring, float(places[i]), float(lengths[i]))[::-1])
+        # the time of a link is told from its points
+        way = _from_and_to(shapely.get_coordinates(shapely.segmentize(line, CHORD)), start, end)
+        if fence.covers(LineString(way)):
+            return way, int(near[i])
     return None
+
+
+def _from_and_to(way: Floats, start: Floats, end: Floats) -> Floats:
+    """Return a way from a place beside its first point to one beside its last.
+
+    A step aside would be two corners, so it draws near bit by bit.
+    """
+    along = distances_along(way)
+    for place, at, off in ((start, 0, along), (end, -1, along[-1] - along)):
+        aside = place - way[at]
+        drawn = off / max(min(DRAW * float(np.hypot(*aside)), along[-1] / 2), 1e-9)
+        drawn = np.clip(drawn, 0.0, 1.0)
+        way = way + (1 - drawn**2 * (3 - 2 * drawn))[:, None] * aside
+    way[0], way[-1] = start, end
+    return way
 
 
 def _turns(heading: Floats, radius: float) -> list[Floats]:

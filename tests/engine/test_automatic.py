@@ -39,7 +39,7 @@ from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.routing import HOPE, LongWays, tightest_bend
+from freecad_spiralpocket.engine.routing import HOPE, LongWays, back_along_ring, tightest_bend
 from freecad_spiralpocket.engine.shaping import largest
 from freecad_spiralpocket.engine.sizes import (
     planned_resized,
@@ -355,6 +355,23 @@ def test_a_way_round_the_tip_of_what_stands_is_found(off, half, gap):
     way = LongWays(start, heading, cleared, room.buffer(0.003), 3.0, 0.36).to(end, -heading)
     assert way is not None
     assert not LineString(way).intersects(wedge.buffer(-0.25))
+
+
+@pytest.mark.parametrize("angle", [-2.0, -0.5, 0.3, 1.0, 3.0])
+@pytest.mark.parametrize("off", [0.0, 0.03, 0.09])
+def test_no_step_aside_on_the_way_back_over_the_slot(angle, off):
+    room, middle = box(0, 0, 60, 40), Point(30, 20)
+    ring = LineString(middle.buffer(10, quad_segs=64).exterior)
+    cleared = ClearedMap([orient(ring.buffer(0.05))], [], room, [], 3.0, 0.25, ring)
+    start = np.array([40.0 - off, 20.0])
+    end = np.array([30.0, 20.0]) + (10 + off) * np.array([math.cos(angle), math.sin(angle)])
+    way, _ = back_along_ring(start, end[None], cleared, room)
+    np.testing.assert_allclose([way[0], way[-1]], [start, end], atol=1e-9)
+    headings = np.arctan2(*np.diff(way, axis=0).T[::-1])
+    assert np.abs(np.diff(np.unwrap(headings))).max() < math.radians(10)
+    # it keeps to the slot but at its ends
+    inner = way[np.minimum(*(np.hypot(*(way - end_).T) for end_ in (start, end))) > 1.5]
+    assert shapely.distance(ring, shapely.points(inner)).max(initial=0.0) < 1e-3
 
 
 @pytest.mark.parametrize("gap", [0.1, 0.6, 2.0])
