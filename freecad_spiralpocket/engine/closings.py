@@ -28,6 +28,8 @@ REACHED, REACHED_WIDE = 0.92, 0.96
 BULGE = 0.32
 #: Radii tried to round a reentrant kink, over `FrontRules.closing`.
 CLOSINGS = (1.0, 0.5, 0.2)
+#: The same for slim tips that are left where fronts meet: no link bends more tightly.
+TIP = 0.09
 #: A fill's cusp turns by more than this [rad], and is rounded with this radius, over R.
 CUSP_TURN, CUSP = np.radians(25.0), 0.35
 #: A filled arm shortens the edge by more than this, over R.
@@ -62,7 +64,7 @@ def _closed(
     the radii in `shares` is taken.
     """
     if not shares:
-        return moved
+        return _with_blunt_tips(moved, visited, rules)
     radius = shares[0] * rules.closing
     closed = buffer(buffer(moved, radius), -radius)
     fills = _doubtful_fills(closed, moved, visited, rules)
@@ -83,6 +85,24 @@ def _closed(
         finer = _closed(near, visited, omega, rules, shares[1:])
         pieces.append(shapely.intersection(finer, zone))
     return shapely.union_all(pieces)
+
+
+def _with_blunt_tips(moved: Region, visited: Polygon, rules: FrontRules) -> Region:
+    """Round the tips of what is left, where the cutter clears what that fills.
+
+    In a slim tip a lap turns back on the spot. Slits stay: filled they would make two plugs of one.
+    """
+    radius = TIP * rules.closing
+    closed = buffer(buffer(moved, radius), -radius)
+    fills = shapely.get_parts(shapely.difference(closed, moved))
+    fills = fills[shapely.area(fills) > SLIVER]
+    if len(fills) == 0:
+        return moved
+    reach = min(_reach(rules), rules.stepover + BULGE * rules.closing)
+    coords, of = shapely.get_coordinates(fills, return_index=True)
+    kept = _new_edges(fills, moved) != 1
+    kept[of[~are_within(visited, coords, reach)]] = True
+    return shapely.difference(closed, shapely.union_all(fills[kept]))
 
 
 def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
