@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+import numpy as np
 import shapely
 from shapely import LineString
 from shapely.ops import substring
@@ -19,11 +20,31 @@ from .toolpath import Role
 
 #: Points that matter less than this share of the tolerance are dropped.
 SLIM = 0.3
+#: A short step at whose ends the path turns by more than this together is a step aside [rad].
+JOG = np.radians(90.0)
 
 
 def slim(points: Floats, request: PocketRequest) -> Floats:
     """Return a path without the points that matter little, shape (n, 2) [mm]."""
-    return simplified(points, SLIM * request.tolerance)
+    within = SLIM * request.tolerance
+    return _without_jogs(simplified(points, within), within)
+
+
+def _without_jogs(points: Floats, within: float) -> Floats:
+    """Return a path whose steps aside and back are their middles, where that is `within` [mm].
+
+    Where regions are joined steps of a few micrometers stay, at which the cutter would stop.
+    """
+    steps = np.diff(points, axis=0)
+    lengths = np.hypot(*steps.T)
+    cross = steps[:-1, 0] * steps[1:, 1] - steps[:-1, 1] * steps[1:, 0]
+    turns = np.abs(np.arctan2(cross, (steps[:-1] * steps[1:]).sum(axis=1)))
+    # first and last point stay
+    short = 1 + np.flatnonzero((lengths[1:-1] < 2 * within) & (turns[:-1] + turns[1:] > JOG))
+    short = short[np.diff(short, prepend=-1) > 1]
+    points = points.copy()
+    points[short] = (points[short] + points[short + 1]) / 2
+    return np.delete(points, short + 1, axis=0)
 
 
 def passes_of(steps: Sequence[Step], request: PocketRequest) -> tuple[Pass, ...]:

@@ -13,6 +13,7 @@ from freecad_spiralpocket.engine.estimates import link_seconds
 from freecad_spiralpocket.engine.laps import automatic
 from freecad_spiralpocket.engine.linking import hermite_links
 from freecad_spiralpocket.engine.model import Strategy
+from freecad_spiralpocket.engine.passes import SLIM, slim
 from freecad_spiralpocket.engine.sequence import in_better_sequence
 
 #: Rows of bosses, with bays in which nearest first leaves rests behind; bays along a wall.
@@ -90,3 +91,22 @@ def test_a_link_is_free_when_what_it_needs_is_done(nearest_first):
             off = np.hypot(*(paths[i][:, None] - paths[i][[0, -1]]).T).min(axis=0)
             away = paths[i][off > ENDS * cleared.pixel]
             assert cleared.free[cleared.cells(away)].all()
+
+
+@pytest.mark.parametrize("heading", [0.0, 0.7, 2.0])
+@pytest.mark.parametrize("aside", [-0.005, 0.002, 0.005])
+@pytest.mark.parametrize("back", [0.0, 0.003])
+def test_steps_aside_of_micrometers_are_no_moves(heading, aside, back):
+    request = shapes.request(box(0, 0, 40, 40))
+    x = np.linspace(0, 6, 121)
+    before = np.column_stack([x - 6, 0.02 * (x - 6) ** 2])
+    after = np.column_stack([x - back, 0.02 * x**2 + aside])
+    c, s = np.cos(heading), np.sin(heading)
+    points = np.vstack([before, after]) @ np.array([[c, s], [-s, c]])
+    slimmed = slim(points, request)
+    steps = np.diff(slimmed, axis=0)
+    headings = np.unwrap(np.arctan2(*steps.T[::-1]))
+    assert np.abs(np.diff(headings)).max() < np.radians(5)
+    np.testing.assert_array_equal(slimmed[[0, -1]], points[[0, -1]])
+    off = shapely.distance(shapely.LineString(slimmed), shapely.points(points))
+    assert off.max() < 2 * SLIM * request.tolerance
