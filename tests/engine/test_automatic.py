@@ -392,6 +392,14 @@ def test_no_step_aside_on_the_way_back_over_the_slot(angle, off):
     assert shapely.distance(ring, shapely.points(inner)).max(initial=0.0) < 1e-3
 
 
+def test_beside_one_place_of_the_slot_the_way_leads_straight_across():
+    room, ring = box(0, 0, 60, 40), LineString(Point(30, 20).buffer(10).exterior)
+    cleared = ClearedMap([orient(ring.buffer(0.05))], [], room, [], 3.0, 0.25, ring)
+    start, end = np.array([40.05, 20.0]), np.array([39.96, 20.0])
+    way, _ = back_along_ring(start, end[None], cleared, room)
+    np.testing.assert_allclose(way, [start, end])
+
+
 @pytest.mark.parametrize("gap", [0.1, 0.6, 2.0])
 @pytest.mark.parametrize("seed", range(4))
 def test_hopeful_ground_knows_of_every_way(gap, seed):
