@@ -20,20 +20,19 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 from shapely import LineString, Point, Polygon
 
 from .branches import feet_between, lengthened, slim_ring, smoothed
 from .entry import NARROWEST, WIDEST, fit_helix_radius, slot_ramp
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot, WayDown
-from .graphs import delaunay_triangles, spanning_tree
 from .groove import rooms_of
+from .islands import bridges_between, into_notches
 from .leaving import bends, straightest
 from .model import Floats, PocketRequest
 from .outline import outline_of
 from .polyline import closed_line, located, points_at
-from .shaping import CRACK, buffer, largest, oriented, thick_parts
+from .shaping import buffer, largest, oriented
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
 
@@ -62,9 +61,6 @@ LEAST_ROOM = 0.1
 ROUNDINGS = (1.0, 0.5)
 #: The same for the ring round islands.
 RING_ROUNDINGS = (1.0, 0.5, 0.2, 0.1, 0.02, 0.005, 0.002, 0.0005)
-#: Notches of islands that such a ring leaves deeper than this over R are taken into it, with the
-#: first of these roundings that leaves no more than that [mm]; seams are closed by so much [mm].
-NOTCH, NOTCH_ROUNDINGS, NOTCH_SLACK, SEAM = 0.15, (0.15, 0.05, 0.02, 0.005, 0.0005), 0.002, 1e-4
 #: The ring keeps off the islands' walls by this [mm].
 CHORD_SLACK = 0.004
 #: Width of the smoothing of the center curve, over R.
@@ -352,7 +348,7 @@ def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
     filled, radius = Polygon(region.exterior), request.cutter_radius
     # chords of the ring cut into round islands by about so much
     islands = [buffer(Polygon(r), CHORD_SLACK) for r in region.interiors]
-    bridges = _bridges(islands)
+    bridges = bridges_between(islands)
     if not all(filled.contains(b) for b in bridges):
         return None
     for half in HALF_WIDTHS:
@@ -361,85 +357,7 @@ def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
         # a narrow channel between islands must not be filled: nothing would go through it
         for rounding in RING_ROUNDINGS:
             visited = Polygon(_rounded(shape, filled, rounding * radius).exterior)
-            visited = _into_notches(visited, shape, region, corridors, rounding * radius, radius)
+            visited = into_notches(visited, shape, region, corridors, rounding * radius, radius)
             if leaves_no_post(visited, request, islands):
                 return _slot_start("island ring", oriented(visited), filled, request)
     return None
-
-
-def _into_notches(
-    visited: Polygon,
-    shape: Polygon,
-    region: Polygon,
-    corridors: list[Polygon],
-    rounding: float,
-    radius: float,
-) -> Polygon:
-    """Return the ground that a ring round islands encloses, without their notches.
-
-    What a wide curve leaves in a notch would be cut by the full width of the cutter at the full
-    depth. The ring goes into it instead, by the widest curve that finishes it.
-
-    Parameters
-    ----------
-    visited : shapely.Polygon
-        What the ring encloses; its reentrant curves have the radius `rounding` [mm].
-    shape : shapely.Polygon
-        The islands joined by the `corridors`.
-    region : shapely.Polygon
-        The cutter-center region.
-    corridors : list of shapely.Polygon
-    rounding, radius : float
-        [mm]; `radius` is the cutter's.
-    """
-    left = thick_parts(shapely.difference(visited, shape))
-    left = left[~shapely.dwithin(left, shapely.union_all(corridors), CRACK)]
-    deep = left[_depths(left, visited) > NOTCH * radius]
-    islands = shapely.union_all([buffer(Polygon(r), NOTCH_SLACK) for r in region.interiors])
-    for finer in (r for r in radius * np.array(NOTCH_ROUNDINGS) if r < rounding):
-        if len(deep) == 0:
-            break
-        there = buffer(shapely.union_all(deep), CRACK)
-        closed = buffer(buffer(islands, finer), -finer)
-        outside = shapely.difference(there, closed)
-        visited = shapely.difference(visited, outside)
-        visited = Polygon(largest(buffer(buffer(visited, SEAM), -SEAM)).exterior)
-        left = shapely.get_parts(shapely.difference(shapely.intersection(visited, there), islands))
-        deep = left[_depths(left, visited) > NOTCH_SLACK]
-    return visited
-
-
-def _depths(pieces: NDArray[np.object_], visited: Polygon) -> Floats:
-    """Return how far pieces of ground reach away from the ring that encloses it [mm]."""
-    points, piece = shapely.get_coordinates(pieces, return_index=True)
-    depths = np.zeros(len(pieces))
-    np.maximum.at(depths, piece, shapely.distance(visited.exterior, shapely.points(points)))
-    return depths
-
-
-def _bridges(islands: list[Polygon]) -> list[LineString]:
-    """Return the shortest lines that join all islands, as a minimum spanning tree."""
-    if len(islands) < 2:
-        return []
-    shapes = np.array(islands, dtype=object)
-    pairs = _neighbors(islands)
-    tree = spanning_tree(len(islands), pairs, shapely.distance(*shapes[pairs.T]))
-    lines = []
-    for a, b in tree.tolist():
-        line = shapely.shortest_line(islands[a], islands[b])
-        # a little into both islands, so that the corridor meets their walls
-        (x0, y0), (x1, y1) = line.coords
-        d = np.array([x1 - x0, y1 - y0])
-        d = d / (np.hypot(*d) + 1e-12)
-        lines.append(LineString([np.array([x0, y0]) - d, np.array([x1, y1]) + d]))
-    return lines
-
-
-def _neighbors(islands: list[Polygon]) -> NDArray[np.intp]:
-    """Return the pairs of islands, shape (m, 2), that see each other; O(n log n)."""
-    spacing = 0.5 * float(np.sqrt(min(i.area for i in islands)))
-    rings = [shapely.get_coordinates(i.exterior.segmentize(spacing))[:-1] for i in islands]
-    owner = np.repeat(np.arange(len(rings)), [len(r) for r in rings])
-    sides = delaunay_triangles(np.vstack(rings))[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
-    pairs = np.sort(owner[sides], axis=1)
-    return np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0)
