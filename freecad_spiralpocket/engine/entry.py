@@ -65,6 +65,10 @@ class NoRoomForHelixError(CutterDoesNotFitError):
         """Let it be made anew on the other side of a pipe."""
         return type(self), (*self._sizes.tolist(), self.place)
 
+    def labelled(self, label: str) -> CutterDoesNotFitError:
+        """Return the error as that of the pocket with a label."""
+        return CutterDoesNotFitError(f"{label}: {self.message}", self.hint, self.place)
+
     def resized(self, factor: float) -> NoRoomForHelixError:
         """Return the same of a pocket of another size."""
         assert self.place is not None

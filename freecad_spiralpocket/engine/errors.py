@@ -45,6 +45,10 @@ class SpiralPocketError(Exception):
             self.place = (factor * self.place[0], factor * self.place[1])
         return self
 
+    def labelled(self, label: str) -> SpiralPocketError:
+        """Return the error as that of the pocket with a label."""
+        return type(self)(f"{label}: {self.message}", self.hint, self.place)
+
     @property
     def message(self) -> str:
         """Return what is the matter."""
@@ -109,7 +113,6 @@ def named(failures: list[tuple[str, SpiralPocketError]], pockets: int) -> list[S
     for text, having_it in labels.items():
         error = errors[text]
         if len(having_it) < pockets and having_it[0] not in error.message:
-            message = f"{'; '.join(having_it)}: {error.message}"
-            error = type(error)(message, error.hint, error.place)
+            error = error.labelled("; ".join(having_it))
         result.append(error)
     return result

@@ -18,7 +18,7 @@ from freecad_spiralpocket.engine.entry import (
     fit_helix_radius,
     ramp_feed,
 )
-from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
+from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, named
 from freecad_spiralpocket.engine.floor import Helix, Slot
 from freecad_spiralpocket.engine.levels import floors
 from freecad_spiralpocket.engine.model import Entry, Heights
@@ -159,3 +159,12 @@ def test_helix_is_as_wide_as_fits_and_leaves_no_post():
 
 def test_heights_of_the_tests_are_sound():
     assert floors(HEIGHTS) == [-5.0]
+
+
+def test_one_of_several_pockets_without_room_for_the_helix_is_named():
+    with pytest.raises(CutterDoesNotFitError) as caught:
+        fit_helix_radius(box(0, 0, 0.1, 0.1), np.array([0.05, 0.05]), 3.0, Entry())
+    (error,) = named([("Plate, Face7", caught.value)], 2)
+    assert error.message.startswith("Plate, Face7: The 6 mm cutter fits the pocket, but has no")
+    assert (error.hint, error.place) == (caught.value.hint, (0.05, 0.05))
+    assert named([("Plate, Face7", caught.value)], 1) == [caught.value]

@@ -257,7 +257,7 @@ def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Ef
         core = Lap(hot, level - room.level + family.heat, (), slot)
         return Lap(room.region, level, (core,))
     if off > EVEN * family.stepover or family.is_even:
-        rooms = _rooms_about(family, room, points)
+        rooms = _rooms_about(family, hot, room, points)
         if rooms:
             laps = (_lap(family, one, tick, effort) for one in reversed(rooms))
             return Lap(room.region, level, tuple(laps))
@@ -270,12 +270,12 @@ def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Ef
     return Lap(room.region, level, _lap(even, room, tick, effort).inner)
 
 
-def _holds(room: Room, hot: Polygon | None) -> bool:
+def _holds(room: Room, hot: Polygon) -> bool:
     """Return whether a room has the hot slot inside."""
-    return hot is not None and bool(room.region.contains(hot.representative_point()))
+    return bool(room.region.contains(hot.representative_point()))
 
 
-def _rooms_about(family: Family, room: Room, points: Floats) -> list[Room]:
+def _rooms_about(family: Family, hot: Polygon, room: Room, points: Floats) -> list[Room]:
     """Return the rooms inside of the next laps about the hot slot; none if these are no guide.
 
     `points` are those of the room's lap.
@@ -291,7 +291,7 @@ def _rooms_about(family: Family, room: Room, points: Floats) -> list[Room]:
     while share > LEAST_HOT:
         rooms = rooms_at(family, room, level(share))
         if family.is_even:  # others are on no way to the slot, and thin
-            rooms = [one for one in rooms if _holds(one, family.hot)]
+            rooms = [one for one in rooms if _holds(one, hot)]
         if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
             return rooms
         share *= 0.95
