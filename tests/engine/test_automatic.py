@@ -28,19 +28,15 @@ from shapes import (
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.cleared import ClearedMap
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.estimates import motion_of
 from freecad_spiralpocket.engine.findings import TOUCH
 from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
 from freecad_spiralpocket.engine.fronts import advance
-from freecad_spiralpocket.engine.ground import COARSE, Ground
 from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.routing import HOPE, LongWays, back_along_ring, tightest_bend
-from freecad_spiralpocket.engine.shaping import largest
 from freecad_spiralpocket.engine.sizes import (
     planned_resized,
     resized,
@@ -48,7 +44,6 @@ from freecad_spiralpocket.engine.sizes import (
     resized_request,
 )
 from freecad_spiralpocket.engine.starts import slot_bite
-from freecad_spiralpocket.engine.strokes import Stroke
 from freecad_spiralpocket.engine.toolpath import Role
 
 ISLANDS = (
@@ -339,83 +334,3 @@ def test_fronts_that_meet_leave_no_slim_tip(gap):
     front = front_of_two_discs(40, 80 + gap, box(0, -40, 80 + gap, -32))
     assert len(front.interiors) == 1
     assert sharpest_turn(front) < math.radians(20)
-
-
-@pytest.mark.parametrize("arriving", [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)])
-@pytest.mark.parametrize("end", [(10.0, 20.0), (10.0, 26.0), (34.0, 20.0)])
-def test_long_way_round_turns_in_a_loop_where_there_is_room(end, arriving):
-    room, radius, least = box(0, 0, 60, 40), 3.0, 0.36
-    cleared = ClearedMap([room], [], room, [], radius, 0.25)
-    start, heading = np.array([30.0, 20.0]), np.array([1.0, 0.0])
-    ends = np.array(end), np.array(arriving)
-    way = LongWays(start, heading, cleared, room.buffer(0.003), radius, least).to(*ends)
-    assert way is not None and tightest_bend(way) >= least
-    np.testing.assert_allclose([way[0], way[-1]], [start, end], atol=1e-9)
-    leaving, reaching = way[1] - way[0], way[-1] - way[-2]
-    assert leaving @ heading > 0.9 * np.hypot(*leaving)
-    assert reaching @ arriving > 0.9 * np.hypot(*reaching)
-    # in a turn as tight as it may be a chord turns by less than 24 degrees
-    assert np.hypot(*np.diff(way, axis=0).T).max() < least * math.radians(24)
-
-
-@pytest.mark.parametrize("off", [0.0, 0.3, 0.6])
-@pytest.mark.parametrize("half", [1.0, 4.0])
-@pytest.mark.parametrize("gap", [0.3, 3.0])
-def test_a_way_round_the_tip_of_what_stands_is_found(off, half, gap):
-    room = orient(box(0, 0, 60, 40))
-    wedge = Polygon([(-1, 20 - half + off), (30 + off, 20 + off), (-1, 20 + half + off)])
-    points = np.column_stack([np.linspace(0, 30, 61), np.full(61, 20 + off)])
-    before = orient(room.difference(wedge))
-    cleared = ClearedMap([before, room], [Stroke(points, 1, False, False)], room, [], 6.0, 0.25)
-    x, aside = 10.0, half * (20 + off) / (31 + off) + gap
-    start, end = np.array([x, 20 + off + aside]), np.array([x, 20 + off - aside])
-    heading = np.array([1.0, 0.0])
-    way = LongWays(start, heading, cleared, room.buffer(0.003), 3.0, 0.36).to(end, -heading)
-    assert way is not None
-    assert not LineString(way).intersects(wedge.buffer(-0.25))
-
-
-@pytest.mark.parametrize("angle", [-2.0, -0.5, 0.3, 1.0, 3.0])
-@pytest.mark.parametrize("off", [0.0, 0.03, 0.09])
-def test_no_step_aside_on_the_way_back_over_the_slot(angle, off):
-    room, middle = box(0, 0, 60, 40), Point(30, 20)
-    ring = LineString(middle.buffer(10, quad_segs=64).exterior)
-    cleared = ClearedMap([orient(ring.buffer(0.05))], [], room, [], 3.0, 0.25, ring)
-    start = np.array([40.0 - off, 20.0])
-    end = np.array([30.0, 20.0]) + (10 + off) * np.array([math.cos(angle), math.sin(angle)])
-    way, _ = back_along_ring(start, end[None], cleared, room)
-    np.testing.assert_allclose([way[0], way[-1]], [start, end], atol=1e-9)
-    headings = np.arctan2(*np.diff(way, axis=0).T[::-1])
-    assert np.abs(np.diff(np.unwrap(headings))).max() < math.radians(10)
-    # it keeps to the slot but at its ends
-    inner = way[np.minimum(*(np.hypot(*(way - end_).T) for end_ in (start, end))) > 1.5]
-    assert shapely.distance(ring, shapely.points(inner)).max(initial=0.0) < 1e-3
-
-
-def test_beside_one_place_of_the_slot_the_way_leads_straight_across():
-    room, ring = box(0, 0, 60, 40), LineString(Point(30, 20).buffer(10).exterior)
-    cleared = ClearedMap([orient(ring.buffer(0.05))], [], room, [], 3.0, 0.25, ring)
-    start, end = np.array([40.05, 20.0]), np.array([39.96, 20.0])
-    way, _ = back_along_ring(start, end[None], cleared, room)
-    np.testing.assert_allclose(way, [start, end])
-
-
-@pytest.mark.parametrize("gap", [0.1, 0.6, 2.0])
-@pytest.mark.parametrize("seed", range(4))
-def test_hopeful_ground_knows_of_every_way(gap, seed):
-    random = np.random.default_rng(seed)
-    posts = [Point(x, y).buffer(random.uniform(2, 7)) for x, y in random.uniform(5, 55, (30, 2))]
-    gate = random.uniform(5, 50)
-    wall = [box(29, 0, 31, gate), box(29, gate + gap, 31, 60)]
-    ground = largest(box(0, 0, 60, 60).difference(shapely.union_all([*posts, *wall])))
-    start, *ends = random.uniform(2, 58, (9, 2))
-    cleared = ClearedMap([orient(ground)], [], box(0, 0, 60, 60), [], 3.0, 0.25)
-    hopeful = Ground(cleared, cleared.near, start, hopeful=True)
-    for free, coarse in ((cleared.free, COARSE), (cleared.near, COARSE), (cleared.free, 1)):
-        for end in ends:
-            way = Ground(cleared, free, start, coarse).way_to(end)
-            if way is not None:
-                least = hopeful.way_to(end)
-                assert least is not None
-                slack = HOPE * COARSE * cleared.pixel
-                assert LineString(least).length < LineString(way).length + slack
