@@ -10,12 +10,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCADGui
 from PathScripts import PathUtils
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from ..op.compat import IS_LEGACY, STALE_ELEMENT_ERRORS, PathOp
-from .names import renamed
 
 if IS_LEGACY:
     from PathScripts import PathOpGui, PathSelection
@@ -33,7 +31,6 @@ __all__ = [
     "check_box_signal",
     "freecad_icon",
     "has_tool_controller_editor",
-    "load_form",
     "run_dialog",
 ]
 
@@ -45,9 +42,6 @@ def freecad_icon(name: str) -> str:
 
 #: FreeCAD's icon for an operation that is switched off.
 INACTIVE_ICON = freecad_icon("OpActive")
-
-#: So many forms are made at most until PySide names all their widgets rightly.
-FORMS = 5
 
 #: What making an operation raises when the job has no tool controller, or none was chosen.
 NO_TOOL_CONTROLLER_ERRORS = (PathUtils.PathNoTCExistsException, PathOp.PathNoTCException)
@@ -79,31 +73,6 @@ def check_box_signal(box: Any) -> Any:
 def has_tool_controller_editor() -> bool:
     """Return whether the panel can unfold the tool controller's own editor (1.1 and later)."""
     return hasattr(PathOpGui.TaskPanelPage, "updateToolControllerEditorVisibility")
-
-
-def load_form(path: Any) -> Any:
-    """Return the widgets of a form, each of its attributes the widget of that name.
-
-    PySide may take a new widget for what was at the same address before, as the table of a job
-    editor that FreeCAD never gave up: then another form is made, at other addresses.
-    """
-    forms: list[Any] = []  # kept until then
-    while len(forms) < FORMS:
-        forms.append(renamed(FreeCADGui.PySideUic.loadUi(str(path))))
-        if all(map(_is_what_it_seems, vars(forms[-1]).values())):
-            break
-    return forms[-1]
-
-
-def _is_what_it_seems(named: Any) -> bool:
-    """Return whether Python takes a Qt object for the nearest class that it knows."""
-    kind = named.metaObject() if isinstance(named, QtCore.QObject) else None
-    while kind is not None and kind.className() != type(named).__name__:
-        # the last widget there may have been of a class that this one's class inherits
-        if hasattr(QtGui, kind.className()):
-            return False
-        kind = kind.superClass()
-    return kind is not None
 
 
 def run_dialog(dialog: QtGui.QDialog) -> int:

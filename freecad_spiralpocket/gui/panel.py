@@ -17,10 +17,10 @@ from ..engine.model import FeedMode, Strategy
 from ..op.compat import parent_job
 from ..op.properties import INHERITED, TABLE, option_names
 from .choices import strategy_note
-from .compat import PathOpGui, PathUtils, has_tool_controller_editor, load_form
+from .compat import PathOpGui, PathUtils, has_tool_controller_editor
 from .extras import FACTORIES, Extra
 from .fields import Check, Choice, Field, LinkFeed, Number, Quantity
-from .names import rename_attributes
+from .names import load_form, rightly_named
 from .startpoint import StartPointField
 from .startup import RESOURCES
 from .stepover import StepOverField
@@ -108,9 +108,8 @@ class OperationPage(PathOpGui.TaskPanelPage):
 
     def setupToolController(self, *obj_and_combo: Any) -> None:  # noqa: N802
         """Fill the list of tool controllers; 1.1 makes an editor for the chosen one each time."""
-        super().setupToolController(*obj_and_combo)
-        if getattr(self, "tcEditor", None):
-            rename_attributes(self.tcEditor)
+        with rightly_named():
+            super().setupToolController(*obj_and_combo)
 
     def resetToolController(self, job: Any, tc: Any) -> None:  # noqa: N802
         """Take a tool controller that was just added, if that was to the operation's own job."""

@@ -10,14 +10,13 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtGui
 
 from ..op import preferences, properties
 from .choices import choice_text
 from .entries import Entry, Scale, lengths, speeds
 from .fields import MINUTE
-from .names import renamed
+from .names import load_form
 from .startup import RESOURCES
 
 translate = FreeCAD.Qt.translate
@@ -34,7 +33,7 @@ class PreferencePage:
     """The page; FreeCAD calls its methods."""
 
     def __init__(self, parent: Any = None) -> None:
-        self.form = renamed(FreeCADGui.PySideUic.loadUi(str(FORM)))
+        self.form = load_form(FORM)
         rows = {p.name: p for p in properties.TABLE}
         self.boxes = [(rows[name], getattr(self.form, box)) for name, box in WIDGETS.items()]
         for row, box in self.boxes:

@@ -23,7 +23,7 @@ from ..engine.errors import CancelledError, SpiralPocketError
 from ..op.compat import parent_job
 from . import messages
 from .compat import PathOpGui, PathSelection, bear_lost_selection
-from .names import forget_namesakes, rename_attributes, renamed
+from .names import forget_namesakes, renamed, rightly_named
 from .outlook import was_stopped
 from .room import make_room
 
@@ -41,14 +41,13 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.touched = _touched(obj.Document)
         self.outcome = obj.Proxy.plans, obj.Proxy.errors  # which no transaction brings back
         self.is_open = self.has_lost_widgets = False
-        super().__init__(obj, is_new, page, selection_factory)
-        names = {}
+        with rightly_named():
+            super().__init__(obj, is_new, page, selection_factory)
         for each in self.featurePages:
-            names.update(rename_attributes(each))
             bear_lost_selection(each)
         pages = self.form if isinstance(self.form, list) else [self.form]
         # boxes of their own, so that they stay in sight whatever is scrolled in the pages
-        self.form = [*(names.get(p, p) for p in pages), *page.boxes]
+        self.form = [*pages, *page.boxes]
         forget_namesakes()
 
     def modifyStandardButtons(self, buttonBox: Any) -> None:  # noqa: N802, N803
@@ -122,6 +121,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.is_open = False
         FreeCAD.removeDocumentObserver(self)
         self.operation_page.close()
+        forget_namesakes()  # of what the boxes have made since
         super().panelCleanup()
 
     def abandon(self) -> None:

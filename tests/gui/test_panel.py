@@ -2,7 +2,6 @@
 """Each field of the page shows its property and writes it."""
 
 import math
-from types import SimpleNamespace
 
 import FreeCADGui
 import pytest
@@ -22,11 +21,9 @@ from window import (
 )
 
 from freecad_spiralpocket.engine.model import Strategy
-from freecad_spiralpocket.gui import compat
 from freecad_spiralpocket.gui.choices import STRATEGY_NOTES
 from freecad_spiralpocket.gui.fields import Check, Choice, Number
-from freecad_spiralpocket.gui.names import shiboken
-from freecad_spiralpocket.gui.panel import FIELDS, FORM
+from freecad_spiralpocket.gui.panel import FIELDS
 from freecad_spiralpocket.op.properties import option_names
 
 #: What the user enters into each simple field, and what the property is then if not the same.
@@ -278,27 +275,3 @@ def test_tool_can_be_changed_in_the_panel(operation):
     editor.setChecked(True)
     pump(0.3)
     assert panel().operation_page.tcEditor.controller.isVisible()
-
-
-@pytest.mark.parametrize("taken_for", ["a table's item", "a widget"])
-def test_form_with_a_widget_that_pyside_takes_for_another_is_made_again(monkeypatch, taken_for):
-    load, made = FreeCADGui.PySideUic.loadUi, []
-
-    def confused(path):
-        form = load(path)
-        made.append(form)
-        if len(made) == 1:
-            if taken_for == "a widget":
-                # the name of one that was there before, of a class that a spin box inherits
-                address = shiboken.getCppPointer(form.startPointX)[0]
-                shiboken.invalidate(form.startPointX)
-                form.startPointX = shiboken.wrapInstance(address, QtGui.QWidget)
-            else:
-                form.strategy = QtGui.QTableWidgetItem()
-        return form
-
-    monkeypatch.setattr(compat.FreeCADGui, "PySideUic", SimpleNamespace(loadUi=confused))
-    form = compat.load_form(FORM)
-    assert len(made) == 2
-    assert isinstance(form.strategy, QtGui.QComboBox)
-    assert isinstance(form.startPointX, QtGui.QAbstractSpinBox)
