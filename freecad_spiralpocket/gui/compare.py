@@ -24,9 +24,10 @@ from . import planning
 from .comparepicture import picture_of
 from .lane import Job
 from .localized import in_panel
+from .names import forget_namesakes
 from .outlook import Outlook
 from .previewcolors import OVER_LIMIT, Scale
-from .resulttext import area, duration, length, small
+from .resulttext import area, as_table, duration, length, small
 from .themecolors import theme
 
 translate = FreeCAD.Qt.translate
@@ -159,6 +160,7 @@ class Comparison:
             )
         name = translate("SpiralPocket", "FreeCAD's Adaptive")
         self._add(Card(name, "adaptive", request, None, self._mark_fastest))
+        forget_namesakes()
         for card in self.cards:
             card.begin()
 
@@ -278,7 +280,7 @@ def _figures(drawn: Drawn) -> str:
     """Return the figures of a plan as a table."""
     report = drawn.plan.report
     limit = report.engagement_limit
-    rows = [
+    figures = [
         (translate("SpiralPocket", "Time"), f"<b>{_seconds(report.time)}</b>"),
         (translate("SpiralPocket", "Cutting length"), length(report.cut_length)),
         (translate("SpiralPocket", "Largest engagement"), _angle(report.engagement_max, limit)),
@@ -289,8 +291,7 @@ def _figures(drawn: Drawn) -> str:
         ),
         (translate("SpiralPocket", "Left uncut in reach"), small(report.uncut_area, power=2)),
     ]
-    cells = "".join(f"<tr><td>{n}&nbsp;</td><td align=right>{v}</td></tr>" for n, v in rows)
-    return f"<table width=100%>{cells}</table>"
+    return as_table(figures)
 
 
 def _seconds(time: float) -> str:

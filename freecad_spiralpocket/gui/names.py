@@ -92,7 +92,7 @@ def renamed(widget: Any) -> Any:
 def forget_namesakes() -> None:
     """Let PySide forget what lies where an object is that Python has made: it is gone.
 
-    To be called after widgets were made and before they go, for the names that others have left.
+    To be called after widgets were made, for the names that others have left.
     """
     made, others = [], []
     for name in shiboken.getAllValidWrappers():

@@ -92,8 +92,11 @@ class Outlook:
             self._news.start(SOON)  # the path is out of date
 
     def computed(self) -> None:
-        """Look again; after Stop nothing goes on until the next change."""
+        """Look again at once; after Stop nothing goes on until the next change."""
         self.changed()
+        if self._soon.isActive():  # a message box may follow, behind which nothing old must stand
+            self._soon.stop()
+            self._look()
         self.is_stopped = was_stopped(self._obj)
         if self.is_stopped:
             self._quiet.stop()
@@ -198,6 +201,8 @@ class Outlook:
             pocket.close()
         for pocket in self.pockets:
             pocket.draw()
+        if all(p.is_settled for p in self.pockets):
+            self._quiet.stop()
         self.tell()
         planning.proofs.warm_up()
 

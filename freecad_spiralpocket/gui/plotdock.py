@@ -17,6 +17,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from ..engine.errors import SetupError
+from .names import forget_namesakes
 from .plotdata import MATERIAL, Curves
 from .resulttext import feed_unit
 from .themecolors import theme
@@ -68,6 +69,7 @@ class PlotDock:
         window = FreeCADGui.getMainWindow()
         window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, self.dock)
         window.resizeDocks([self.dock], [HEIGHT], QtCore.Qt.Vertical)
+        forget_namesakes()
 
     def show(self, curves: Curves | None) -> None:
         """Draw curves, or nothing."""

@@ -6,6 +6,7 @@ A click on a remark that has a place brings the view there and sets the cutter o
 
 from __future__ import annotations
 
+from html import escape
 from typing import Any
 
 import FreeCAD
@@ -24,7 +25,7 @@ from .resultfigures import (
     remarks_of,
     summary_of,
 )
-from .resulttext import switched_off
+from .resulttext import as_table, switched_off
 from .zoom import zoom_to
 
 translate = FreeCAD.Qt.translate
@@ -47,8 +48,10 @@ class ResultBox:
         self.box.setObjectName("SpiralPocketResultBox")
         self._state = QtGui.QLabel()
         self._state.setWordWrap(True)
-        self.figures = QtGui.QGridLayout()
-        self.figures.setColumnStretch(0, 1)
+        self.texts: dict[str, str] = {}  # the figures by their names, as they are shown
+        self.figures = QtGui.QLabel()
+        self.figures.setWordWrap(True)  # in a narrow panel
+        self.figures.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         self.list = QtGui.QListWidget()
         self.list.setWordWrap(True)
         self.list.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
@@ -61,7 +64,7 @@ class ResultBox:
         self.body = QtGui.QWidget()
         body = QtGui.QVBoxLayout(self.body)
         body.setContentsMargins(0, 0, 0, 0)
-        body.addLayout(self.figures)
+        body.addWidget(self.figures)
         body.addWidget(self.list)
         layout.addWidget(self.body)
         layout.addLayout(self.buttons)
@@ -85,13 +88,6 @@ class ResultBox:
     def close(self) -> None:
         """Forget the page."""
         self._remarks = []
-
-    @property
-    def texts(self) -> dict[str, str]:
-        """Return the figures by their names, as they are shown."""
-        rows = range(self.figures.rowCount())
-        cells = [[self.figures.itemAtPosition(row, column) for column in (0, 1)] for row in rows]
-        return {a.widget().text(): b.widget().text() for a, b in cells if a and b}
 
     def _update(self) -> None:
         """Show what is known by now, if it is something else.
@@ -145,18 +141,9 @@ class ResultBox:
         return translate("SpiralPocket", "Planning: {:.0f} %").format(100 * self._outlook.fraction)
 
     def _show_figures(self, figures: list[tuple[str, str]]) -> None:
-        while self.figures.count():
-            old = self.figures.takeAt(0).widget()
-            old.hide()  # a message box may keep it alive for long
-            old.deleteLater()
-        for row, (name, value) in enumerate(figures):
-            label = QtGui.QLabel(value)
-            label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-            label.setAlignment(QtCore.Qt.AlignRight)
-            called = QtGui.QLabel(name)
-            called.setWordWrap(True)  # in a narrow panel
-            self.figures.addWidget(called, row, 0)
-            self.figures.addWidget(label, row, 1)
+        self.texts = dict(figures)
+        self.figures.setText(as_table([(escape(n), escape(v)) for n, v in figures]))
+        self.figures.setVisible(bool(figures))
 
     def _show_remarks(self, remarks: list[Remark]) -> None:
         self._remarks = remarks

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 
 import FreeCAD
 from PySide import QtCore
@@ -97,3 +98,12 @@ def _number(text: str) -> float:
 def _short(decimal: str) -> str:
     """Return a decimal number without the zeros at its end."""
     return decimal.rstrip("0").rstrip(".,")
+
+
+def as_table(figures: Sequence[tuple[str, str]]) -> str:
+    """Return figures as HTML, for one label: FreeCAD may abort when labels come and go.
+
+    Names and values may be HTML themselves.
+    """
+    rows = (f"<tr><td>{n}&nbsp;</td><td align=right>{v}</td></tr>" for n, v in figures)
+    return f"<table width=100%>{''.join(rows)}</table>"

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from .names import forget_namesakes
+
 
 @dataclass(frozen=True)
 class Theme:
@@ -32,6 +34,7 @@ def theme() -> Theme:
         QtGui.QColor(label.palette().color(QtGui.QPalette.WindowText)),
         QtGui.QColor(image.pixel(4, 4)),
     )
+    forget_namesakes()
     probe.setParent(None)
     probe.deleteLater()
     return found
