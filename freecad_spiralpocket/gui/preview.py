@@ -15,6 +15,7 @@ import numpy as np
 
 from ..beside.tasks import Drawn
 from ..engine.model import Floats
+from ..op import preferences
 from .localized import in_panel
 from .outlook import Outlook, Pocket
 from .previewbox import PreviewBox
@@ -23,6 +24,9 @@ from .previewscene import DraftItem, PathItem, Scene
 from .resulttext import feed_unit, switched_off
 
 translate = FreeCAD.Qt.translate
+
+#: The name under which is kept whether previews are wanted.
+LIVE = "Live"
 
 
 class Preview:
@@ -33,7 +37,8 @@ class Preview:
         self._scene = Scene(page.obj.ViewObject)
         self._items: dict[Pocket, Any] = {}
         self._scale = Scale("engagement", 180.0)
-        self.box = PreviewBox(self._outlook.switch, self._color, self._play)
+        self.box = PreviewBox(self._switch, self._color, self._play)
+        self.box.live.setChecked(preferences.read(LIVE, True))
         self.box.set_total(0.0)
         self._outlook.listeners.append(self._update)
         page.preview = self
@@ -123,6 +128,11 @@ class Preview:
         return translate("SpiralPocket", "Draft. The path is being proved: {:.0f} %").format(
             100 * outlook.fraction
         )
+
+    def _switch(self, on: bool) -> None:
+        """Go on looking or not, in panels to come as well."""
+        preferences.write(LIVE, on, True)
+        self._outlook.switch(on)
 
     def _color(self, quantity: str) -> None:
         self._update()

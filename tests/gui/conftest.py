@@ -12,6 +12,9 @@ import pytest
 from FreeCAD import Vector
 from window import IS_LEGACY, WORKBENCH, main_window, pump, report_view
 
+from freecad_spiralpocket.gui.preview import LIVE
+from freecad_spiralpocket.op import preferences
+
 if IS_LEGACY:
     from PathScripts import PathJobGui
 else:
@@ -44,6 +47,13 @@ def no_exceptions():
     assert not raised, "".join(traceback.format_exception(*raised[0]))
     news = "\n".join(n for n in report_view()[before:].splitlines() if HARMLESS not in n)
     assert "Traceback" not in news and "<class '" not in news, news
+
+
+@pytest.fixture(autouse=True)
+def live():
+    """Let *Live* be on in the next test's panel."""
+    yield
+    preferences.write(LIVE, True, True)
 
 
 @contextmanager

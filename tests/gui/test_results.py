@@ -198,6 +198,22 @@ def test_first_line_says_that_live_is_off(opened):
     press(CANCEL)
 
 
+def test_live_stays_off_in_the_next_panel_until_it_is_switched_on(opened):
+    page().preview.box.live.setChecked(False)
+    press(OK)
+    edit(opened)
+    assert not page().preview.box.live.isChecked()
+    pump(0.5)
+    assert "Live" in state() and not page().outlook.pockets
+    page().preview.box.live.setChecked(True)
+    settle()
+    assert page().outlook.plans
+    press(CANCEL)
+    edit(opened)
+    assert page().preview.box.live.isChecked()
+    press(CANCEL)
+
+
 def test_error_is_told_while_live_is_off(opened):
     page().preview.box.live.setChecked(False)
     widget("helixAngle").setProperty("rawValue", 0.0)
