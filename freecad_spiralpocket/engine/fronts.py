@@ -40,6 +40,34 @@ from .shaping import (
 )
 from .walls import are_near_walls
 
+#: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
+#: much, over R: a step that jumps makes waves that grow from lap to lap.
+REACH, EVEN = 0.8, 0.9
+#: A step goes beyond the step-over only where it is concave so far to both sides, over R.
+FAR = 3.0
+#: Distance of samples along a front, and width of the smoothing under which its bends are taken,
+#: over R or over the width of a slim one.
+SPACING, SOFT = 0.12, 0.4
+#: Samples of a moved front that matter less than this are left out [mm].
+STRAIGHT = 0.0005
+#: A hole holds no stock that is wide enough for less than the cutter by this, half its width [mm].
+IDLE = 0.003
+#: Growth ends when a step adds less than this share of the last stroke's area.
+STALLED = 0.02
+#: A stroke before a corner is not worth its link that cuts less than this over the step-over.
+SCRAP = 0.35
+#: A lap may be wider by this to leave no ribs; as much as feeds allow without slowing down.
+STRETCH = 1.05
+#: Ribs below this area are not worth that, over R and the step-over.
+RIBS = 0.1
+#: An opening may take so much of a free tip, over the fillet.
+TIP_HEIGHT = 0.01
+#: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
+#: fillet's: a corner of 30 degrees just holds that.
+ROOM = 0.6
+#: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
+MAX_FRONTS = 2000
+
 
 def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
     """Open a region where it meets the walls of `omega`; its free tips stay."""
@@ -139,35 +167,6 @@ def _without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> 
         parts = [p for p in polygons_of(holding) if p.area > SLIVER]
         kept.extend(p.exterior for p in parts)
     return oriented(Polygon(visited.exterior, kept))
-
-
-#: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
-#: much, over R: a step that jumps makes waves that grow from lap to lap.
-REACH, EVEN = 0.8, 0.9
-#: A step goes beyond the step-over only where it is concave so far to both sides, over R.
-FAR = 3.0
-#: Distance of samples along a front, and width of the smoothing under which its bends are taken,
-#: over R or over the width of a slim one.
-SPACING, SOFT = 0.12, 0.4
-#: Samples of a moved front that matter less than this are left out [mm].
-STRAIGHT = 0.0005
-#: A hole holds no stock that is wide enough for less than the cutter by this, half its width [mm].
-IDLE = 0.003
-#: Growth ends when a step adds less than this share of the last stroke's area.
-STALLED = 0.02
-#: A stroke before a corner is not worth its link that cuts less than this over the step-over.
-SCRAP = 0.35
-#: A lap may be wider by this to leave no ribs; as much as feeds allow without slowing down.
-STRETCH = 1.05
-#: Ribs below this area are not worth that, over R and the step-over.
-RIBS = 0.1
-#: An opening may take so much of a free tip, over the fillet.
-TIP_HEIGHT = 0.01
-#: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
-#: fillet's: a corner of 30 degrees just holds that.
-ROOM = 0.6
-#: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
-MAX_FRONTS = 2000
 
 
 def grow(

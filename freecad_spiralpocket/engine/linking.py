@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion between cuts."""
+"""Motion at depth between cuts: off the wall and onto it, smooth links and how long they take.
+
+A link is a cubic, tangent to the cuts at both ends. Candidates differ in the lengths of their
+handles; thousands are made, and timed by acceleration and curvature alone, as one array.
+"""
 
 from __future__ import annotations
 
@@ -24,6 +28,13 @@ CHORDS = 8
 ON_WALL = 1e-4
 #: It comes to the wall over R, halved until it fits; chords of that way.
 COME_HALVINGS, COME_CHORDS = 3, 12
+#: Handle lengths of a link over the distance of its ends, and absolute over R.
+HANDLES, HANDLES_R = (0.25, 0.5, 0.8, 1.2, 2.0, 3.0), (2.0, 4.0)
+#: A link with a tighter bend than the least radius counts as so much slower: in time alone a near
+#: stop is no worse than a loop, but it jerks the machine.
+NERVOUS = 2.0
+#: Points of a link when it is timed and tested.
+POINTS = 25
 
 
 def leave_wall(lap: Floats, region: Polygon, cutter_radius: float) -> Floats:
@@ -89,15 +100,6 @@ def come_to_wall(lap: Floats, here: Floats, region: Polygon, cutter_radius: floa
             rest = shapely.get_coordinates(substring(line, length, line.length))
             return np.vstack([way, rest[1:], first[1:]])
     return lap
-
-
-#: Handle lengths of a link over the distance of its ends, and absolute over R.
-HANDLES, HANDLES_R = (0.25, 0.5, 0.8, 1.2, 2.0, 3.0), (2.0, 4.0)
-#: A link with a tighter bend than the least radius counts as so much slower: in time alone a near
-#: stop is no worse than a loop, but it jerks the machine.
-NERVOUS = 2.0
-#: Points of a link when it is timed and tested.
-POINTS = 25
 
 
 @dataclass(frozen=True, slots=True)
