@@ -110,11 +110,12 @@ def runs_of(
     """
     needs = leanings(strokes, stepover)
     runs = [_plain(s.points, i) for i, s in enumerate(strokes) if not s.closed]
+    spirals = _Spirals(strokes, needs, fronts, ring, radius, stepover)
     for chain in chains_of(strokes):
         while chain:
-            count, run = _spiral(chain, strokes, needs, fronts, ring, radius, stepover)
+            run = spirals.first_of(chain)
             runs.append(run)
-            chain = chain[count:]
+            chain = chain[len(run.strokes) :]
     runs.sort(key=lambda run: run.strokes[0])
     home = {i: r for r, run in enumerate(runs) for i in run.strokes}
     return [
@@ -128,68 +129,110 @@ def _plain(points: Floats, stroke: int) -> Run:
     return Run((stroke,), (lambda: points,), points[:1], heading[None])
 
 
-def _spiral(
-    chain: list[int],
-    strokes: Sequence[Stroke],
-    needs: list[set[int]],
-    fronts: Sequence[Polygon],
-    ring: LineString,
-    radius: float,
-    stepover: float,
-) -> tuple[int, Run]:
-    """Return how many laps of a chain one spiral takes from its beginning, and the spiral.
+@dataclass(frozen=True, slots=True, eq=False)
+class _Spirals:
+    """What spirals through closed laps are made of.
 
-    It ends where a lap leans on something else, or is too far from the one before.
+    Attributes
+    ----------
+    strokes : sequence of Stroke
+    needs : list of set of int
+        Of each stroke those that it leans on.
+    fronts, ring, radius, stepover
+        See `runs_of`.
     """
-    first = strokes[chain[0]]
-    laps = [closed_line(strokes[i].points) for i in chain]
-    widest = WIDEST * stepover
-    if not first.exterior:
-        widest = min(WIDEST_INWARDS * stepover, WITHOUT_CUSPS * radius)
-    size = zone_size(radius, stepover)
-    if first.level == 1 and _begins_on(ring, laps[0], first.exterior, size, widest):
-        source, at, spare = ring, np.zeros(1), 0
-    else:
-        before = fronts[first.level - 1]
+
+    strokes: Sequence[Stroke]
+    needs: list[set[int]]
+    fronts: Sequence[Polygon]
+    ring: LineString
+    radius: float
+    stepover: float
+
+    def first_of(self, chain: list[int]) -> Run:
+        """Return the spiral through the first laps of a chain.
+
+        It ends where a lap leans on something else, or is too far from the one before.
+        """
+        laps = [closed_line(self.strokes[i].points) for i in chain]
+        source, at, spare = self._beginnings(self.strokes[chain[0]], laps[0])
+        count = self._reach(chain, laps, source, float(at[0]))
+        starts, ahead = points_at(source, at), points_at(source, (at + 0.2) % source.length)
+        way = self._way([self.strokes[i] for i in chain[:count]], laps[:count], source)
+        return Run(
+            tuple(chain[:count]),
+            tuple(partial(way, float(a)) for a in at),
+            starts,
+            np.array([unit(v) for v in ahead - starts]),
+            spare=spare,
+        )
+
+    @property
+    def size(self) -> float:
+        """Return what stands for R where zones between laps are laid out [mm]."""
+        return zone_size(self.radius, self.stepover)
+
+    def widest(self, exterior: bool) -> float:
+        """Return how far the next lap may be for a spiral to go on to it [mm]."""
+        if exterior:
+            return WIDEST * self.stepover
+        return min(WIDEST_INWARDS * self.stepover, WITHOUT_CUSPS * self.radius)
+
+    def _beginnings(self, first: Stroke, lap: LineString) -> tuple[LineString, Floats, int]:
+        """Return on which line a spiral begins, where along it, and how many of these are spare."""
+        size, widest = self.size, self.widest(first.exterior)
+        if first.level == 1 and _begins_on(self.ring, lap, first.exterior, size, widest):
+            return self.ring, np.zeros(1), 0
+        before = self.fronts[first.level - 1]
         rings = [before.exterior, *before.interiors]
         sides = [LineString(shapely.get_coordinates(r)) for r in rings]
-        source = sides[int(shapely.STRtree(sides).query_nearest(laps[0], all_matches=False)[0])]
-        at = np.empty(0) if first.exterior else ends_of(source, laps[0], size, widest)
+        source = sides[int(shapely.STRtree(sides).query_nearest(lap, all_matches=False)[0])]
+        if first.exterior:
+            return source, zones(source, lap, size, widest), 0
+        at = ends_of(source, lap, size, widest)
         if len(at) == 0:
-            at = zones(source, laps[0], size, widest)
-        others = np.empty(0) if first.exterior else anywhere(source, laps[0], size, widest)
-        at, spare = np.append(at, others), len(others)
-    count, here, place = 1, source, float(at[0])
-    while count < len(chain) and needs[chain[count]] <= set(chain[:count]):
-        place = float(laps[count - 1].project(here.interpolate(place)))
-        here = laps[count - 1]
-        further = onward(here, place, laps[count], size, widest)
-        if further is None:
-            break
-        place += further
-        count += 1
-    taken = laps[:count]
-    last = [strokes[i] for i in chain[:count][-LAST:]]
-    stock = None if first.exterior else _taken_by(last, fronts, radius)
+            at = zones(source, lap, size, widest)
+        others = anywhere(source, lap, size, widest)
+        return source, np.append(at, others), len(others)
 
-    def way(start: float) -> Floats:
-        points = spiral_through(source, start, taken, size, widest)
-        if stock is None:
-            return points
-        trimmed = without_air(points, stock, radius)
-        if trimmed is None:
-            points = spiral_through(source, start, taken, size, widest, LAST)
-            trimmed = without_air(points, stock, radius)
-        return points if trimmed is None else trimmed
+    def _reach(
+        self, chain: list[int], laps: list[LineString], source: LineString, place: float
+    ) -> int:
+        """Return how many laps a spiral takes that leaves `source` at a place along it [mm]."""
+        size, widest = self.size, self.widest(self.strokes[chain[0]].exterior)
+        count, here = 1, source
+        while count < len(chain) and self.needs[chain[count]] <= set(chain[:count]):
+            place = float(laps[count - 1].project(here.interpolate(place)))
+            here = laps[count - 1]
+            further = onward(here, place, laps[count], size, widest)
+            if further is None:
+                break
+            place += further
+            count += 1
+        return count
 
-    starts, ahead = points_at(source, at), points_at(source, (at + 0.2) % source.length)
-    return count, Run(
-        tuple(chain[:count]),
-        tuple(partial(way, float(a)) for a in at),
-        starts,
-        np.array([unit(v) for v in ahead - starts]),
-        spare=spare,
-    )
+    def _way(
+        self, strokes: list[Stroke], laps: list[LineString], source: LineString
+    ) -> Callable[[float], Floats]:
+        """Return what gives the points of a spiral that leaves `source` at a place along it [mm].
+
+        About a plug it ends where all of the stock there is taken.
+        """
+        exterior = strokes[0].exterior
+        size, widest = self.size, self.widest(exterior)
+        stock = None if exterior else _taken_by(strokes[-LAST:], self.fronts, self.radius)
+
+        def way(start: float) -> Floats:
+            points = spiral_through(source, start, laps, size, widest)
+            if stock is None:
+                return points
+            trimmed = without_air(points, stock, self.radius)
+            if trimmed is None:
+                points = spiral_through(source, start, laps, size, widest, LAST)
+                trimmed = without_air(points, stock, self.radius)
+            return points if trimmed is None else trimmed
+
+        return way
 
 
 def _taken_by(laps: Sequence[Stroke], fronts: Sequence[Polygon], radius: float) -> Region | None:
