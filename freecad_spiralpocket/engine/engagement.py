@@ -62,8 +62,6 @@ class Engagement:
     radial_depths : ndarray of shape (k,)
         Width of the cut across the direction of travel at the cutter's tip, not weighted [mm],
         in ``[0, 2 r]``.
-    axial_depths : ndarray of shape (k,)
-        Mean height of what is engaged above the cutter's tip, up to a full axial depth [mm].
     bites : ndarray of shape (k,)
         Height of what stands straight ahead, up to a full axial depth [mm].
     lengths : ndarray of shape (k,)
@@ -79,7 +77,6 @@ class Engagement:
     angles: Floats
     chips: Floats
     radial_depths: Floats
-    axial_depths: Floats
     bites: Floats
     lengths: Floats
     solid_arrivals: NDArray[np.bool_]
@@ -152,13 +149,12 @@ def along_path(
         order = merge_order(samples, more)
         samples = merged(samples, more, order)
         measured = np.concatenate([measured, added], axis=1)[:, order]
-    load, chips, width, bare, bites = measured
+    load, chips, width, bites = measured
     return Engagement(
         points=samples.points,
         angles=load,
         chips=chips,
         radial_depths=width,
-        axial_depths=axial_depth * np.divide(load, bare, out=np.zeros_like(load), where=bare > 0),
         bites=bites,
         lengths=samples.lengths,
         solid_arrivals=_solid_arrivals(samples, pieces, cutter_radius, stock),
@@ -190,10 +186,10 @@ def _measure(
     top: float,
     stock: Region | None,
 ) -> Floats:
-    """Return weighted angles, chips, radial depths [mm], bare angles and bites [mm]; [rad]."""
+    """Return weighted angles [rad], chips, radial depths and bites [mm], shape (4, n)."""
     n = len(samples)
     if n == 0:
-        return np.zeros((5, 0))
+        return np.zeros((4, 0))
     twins = find_twins(samples, pieces)
     new = twins == np.arange(n)
     gaps = uncleared(samples.select(new), pieces, r, stock=stock)
@@ -204,7 +200,7 @@ def _measure(
         here = samples.select(some)
         shares.append(standing_share(gaps.repeated(some), here, pieces, r, axial_depth, top))
     load, bites = np.concatenate(shares, axis=1)
-    return np.stack([load, gaps.foremost(n), gaps.widths(n, r), gaps.angles(n), bites])
+    return np.stack([load, gaps.foremost(n), gaps.widths(n, r), bites])
 
 
 def uncleared(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How hard a path loads the cutter: engagement and chip load at the floors, bite on the way down.
+"""How hard a path loads the cutter: engagement at the floors, bite on the way down.
 
 Figures are weighted by length. Links do not count, nor does the end of the way down and
 what comes right after the cutter has arrived in the solid: there a slot cannot be avoided.
@@ -42,8 +42,6 @@ class Load:
         Whether the feed is lowered there.
     over_share : float
         Share of the length there that clearly passes the limit.
-    chip_p99 : float
-        Chip load of the cuts there over that of a straight cut at the step-over and feed.
     bite : float
         Height straight ahead on the way down, not passed over 99 % of its length [mm].
     """
@@ -54,7 +52,6 @@ class Load:
     place: tuple[float, float] | None
     is_slowed: bool
     over_share: float
-    chip_p99: float
     bite: float
 
 
@@ -79,8 +76,6 @@ def measure_load(
     judged = at_floor & ~_is_entry(engagement, at_floor, entry, request.cutter_radius)
     judged &= toolpath.roles[engagement.moves] != Role.LINK  # in the air, or told as a hit
     angles, lengths, limit = engagement.angles, engagement.lengths, request.engagement_limit
-    cuts = np.isin(toolpath.roles[engagement.moves], (Role.CUT, Role.FINISH))
-    chips = chip_loads(toolpath, engagement, request.feeds.horizontal, limit)
     total = float(lengths[judged].sum())
     over = float(lengths[judged & (angles > over_limit(limit))].sum())
     worst = int(np.argmax(np.where(judged, angles, -1.0))) if total > 0 else -1
@@ -93,7 +88,6 @@ def measure_load(
         place=(float(x), float(y)) if total > 0 else None,
         is_slowed=bool(feed < SLOWED * request.feeds.horizontal),
         over_share=over / total if total > 0 else 0.0,
-        chip_p99=_p99(chips, lengths, judged & cuts),
         bite=_p99(engagement.bites, lengths, fed & ~at_floor),
     )
 
@@ -107,16 +101,6 @@ def floors(pieces: Pieces, known: Sequence[float]) -> Floats:
     long = found[lengths >= FLOOR_SHARE * lengths.max(initial=0.0)]
     long = long[~_near_any(long, np.array(known))]
     return np.sort(np.r_[long, known])[::-1]
-
-
-def chip_loads(toolpath: Toolpath, engagement: Engagement, feed: float, limit: float) -> Floats:
-    """Return the chip load of each sample over that of a straight cut, shape (k,).
-
-    Feed times the thickness of the thickest chip, over the same of `feed` [mm/s] at the engagement
-    `limit` [rad].
-    """
-    full = feed * np.sin(min(limit, np.pi / 2))
-    return toolpath.feeds[engagement.moves] * engagement.chips / full
 
 
 def _near_any(z: Floats, levels: Floats) -> NDArray[np.bool_]:

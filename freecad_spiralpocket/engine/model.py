@@ -315,9 +315,6 @@ class Report:
         mean over the length, at the floors after the entry.
     over_limit_share : float
         Share of that length where the engagement clearly passes the limit, in [0, 1].
-    chip_load_p99 : float
-        Chip load not passed over 99 % of the cuts' part of that length, over that of a straight
-        cut at the step-over and the horizontal feed.
     rapid_hit, link_hit : float
         Length of rapids and of links through standing stock [mm]; 0 as it should be.
     entry_bite : float
@@ -349,7 +346,6 @@ class Report:
     engagement_p99: float
     engagement_mean: float
     over_limit_share: float
-    chip_load_p99: float
     rapid_hit: float
     link_hit: float
     entry_bite: float

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The proof: what a finished toolpath does, measured on its moves alone.
 
-Uncut area, gouge, engagement, chip load, rapids and links through stock, time;
+Uncut area, gouge, engagement, rapids and links through stock, time;
 what a machinist should know becomes a notice in the report.
 
 It knows nothing of how the path was made: no fronts, laps or links. What was asked for
@@ -82,7 +82,6 @@ def prove(
         engagement_p99=load.p99,
         engagement_mean=load.mean,
         over_limit_share=load.over_share,
-        chip_load_p99=load.chip_p99,
         rapid_hit=rapid.length,
         link_hit=link.length,
         entry_bite=load.bite,

@@ -176,8 +176,6 @@ def test_slot_opened_in_steps_counts_by_the_depth_that_stands():
     assert on_move(engagement, 2) == pytest.approx(180.0 * 2 / 5, abs=1e-6)
     back = on_move(engagement, last_move(builder), margin=2.2 * R)
     assert back == pytest.approx(180.0 * 3 / 5, abs=1e-6)
-    axial = engagement.axial_depths[engagement.moves == last_move(builder)]
-    assert np.median(axial) == pytest.approx(3.0, abs=1e-6)
 
 
 def test_ground_cleared_above_the_axial_depth_does_not_count():

@@ -373,12 +373,6 @@ def test_link_through_stock_is_told():
     assert "A link move runs through standing stock" in said(report)
 
 
-def test_chip_load_is_one_at_the_limit_and_feed():
-    path = zigzag((3.0, 37.0), 3.0 + 2.4 * np.arange(12))
-    slow = prove(request(SQUARE), path).chip_load_p99
-    assert slow == pytest.approx(FEED / FEEDS.horizontal * 1.02, rel=0.02)
-
-
 def test_entry_bite_is_the_pitch_of_the_helix():
     builder = ToolpathBuilder((22.5, 20, 5.0))
     builder.rapid(50.0, z=0.0)
