@@ -6,31 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from drawn import FEED, FLOOR, R, lines, started
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracle import Bitmap, rim_engagement, walk
 
 from freecad_spiralpocket.engine.engagement import Engagement, along_path
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
-
-R = 3.0
-FLOOR = -5.0
-FEED = 10.0
-
-
-def started(x: float = 0.0, y: float = 0.0, z: float = FLOOR) -> ToolpathBuilder:
-    """Return a builder whose cutter has been fed straight down to (x, y, z)."""
-    builder = ToolpathBuilder((x, y, 5.0))
-    builder.rapid(50.0, z=1.0)
-    builder.line((x, y, z), FEED, Role.ENTRY)
-    return builder
-
-
-def lines(builder: ToolpathBuilder, *points: tuple, z: float = FLOOR) -> ToolpathBuilder:
-    """Add lines through points (x, y) at height z."""
-    for x, y in points:
-        builder.line((x, y, z), FEED, Role.CUT)
-    return builder
 
 
 def circle(builder: ToolpathBuilder, radius: float, ccw: bool = True, z: float = FLOOR):
