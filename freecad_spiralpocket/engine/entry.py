@@ -21,7 +21,7 @@ import numpy as np
 from shapely import Point, Polygon
 
 from .errors import CutterDoesNotFitError
-from .floor import Groove, Helix, Plunge, Slot, WayDown
+from .floor import Descent, Groove, Helix, Plunge, Slot, WayDown
 from .groove import groove_path
 from .model import Entry, Feeds, Floats, PocketRequest
 from .points import distances_along
@@ -109,16 +109,16 @@ def ramp_feed(feeds: Feeds, angle: float) -> float:
     return min(feeds.horizontal, feeds.vertical / math.sin(angle))
 
 
-def entry_start(entry: WayDown, angle: float, top: float, bottom: float) -> Floats:
-    """Return above which place the entry from `top` to `bottom` begins, (x, y) [mm]."""
+def entry_start(entry: WayDown, down: Descent) -> Floats:
+    """Return above which place a way down begins, (x, y) [mm]."""
     if isinstance(entry, Helix):
-        return _on_circle(entry, entry.start_angle - _helix_sweep(entry, angle, top, bottom))
+        return _on_circle(entry, entry.start_angle - _helix_sweep(entry, down))
     if isinstance(entry, Groove):
-        return groove_path(entry, angle, top, bottom)[0, :2]
+        return groove_path(entry, down)[0, :2]
     if isinstance(entry, Plunge):
         return entry.place
     ring = closed_line(entry.ring)
-    ramp = slot_ramp(entry, angle, top - bottom)
+    ramp = slot_ramp(entry, down.angle, down.depth)
     return np.array(ring.interpolate(-ramp % ring.length).coords[0])
 
 
@@ -144,59 +144,58 @@ def slot_ramp(slot: Slot, angle: float, depth: float) -> float:
 
 
 def cut_entry(
-    builder: ToolpathBuilder,
-    entry: WayDown,
-    angle: float,
-    top: float,
-    bottom: float,
-    feeds: Feeds,
-    slack: float,
+    builder: ToolpathBuilder, entry: WayDown, down: Descent, feeds: Feeds, slack: float
 ) -> None:
-    """Add the way down from the stock's `top` to `bottom`, beginning above `entry_start`.
+    """Add a way down, beginning above `entry_start`.
 
-    Arcs keep within `slack` [mm] of the flat parts that they replace.
+    Parameters
+    ----------
+    builder : ToolpathBuilder
+    entry : WayDown
+    down : Descent
+    feeds : Feeds
+    slack : float
+        Arcs keep within this of the flat parts that they replace [mm].
     """
     if isinstance(entry, Helix):
-        _cut_helix(builder, entry, angle, top, bottom, feeds)
+        _cut_helix(builder, entry, down, feeds)
     elif isinstance(entry, Groove):
-        _cut_points(builder, groove_path(entry, angle, top, bottom), angle, feeds, slack)
+        _cut_points(builder, groove_path(entry, down), down.angle, feeds, slack)
     elif isinstance(entry, Plunge):
         # fed all the way: the edge of the stock may be off by more than the cutter keeps from it
-        builder.line((*entry.place, bottom), feeds.vertical, Role.ENTRY)
+        builder.line((*entry.place, down.bottom), feeds.vertical, Role.ENTRY)
     else:
-        _cut_slot(builder, entry, angle, top, bottom, feeds, slack)
+        _cut_slot(builder, entry, down, feeds, slack)
 
 
 def _on_circle(helix: Helix, angle: float) -> Floats:
     return helix.center + helix.radius * np.array([math.cos(angle), math.sin(angle)])
 
 
-def _helix_sweep(helix: Helix, angle: float, top: float, bottom: float) -> float:
+def _helix_sweep(helix: Helix, down: Descent) -> float:
     """Return the turning of the helix, which begins `APPROACH` above the top [rad]."""
-    return (top + APPROACH - bottom) / (helix.radius * math.tan(angle))
+    return (down.top + APPROACH - down.bottom) / (helix.radius * math.tan(down.angle))
 
 
-def _cut_helix(
-    builder: ToolpathBuilder, helix: Helix, angle: float, top: float, bottom: float, feeds: Feeds
-) -> None:
+def _cut_helix(builder: ToolpathBuilder, helix: Helix, down: Descent, feeds: Feeds) -> None:
     """Add the helix and its flat turn, in arcs of half a turn at most."""
     begin = builder.here[2]
-    x, y = entry_start(helix, angle, top, bottom)
+    x, y = entry_start(helix, down)
     builder.line((x, y, begin), feeds.vertical, Role.ENTRY)
-    sweep = _helix_sweep(helix, angle, top, bottom)
-    at, high = helix.start_angle - sweep, top + APPROACH
+    sweep = _helix_sweep(helix, down)
+    at, high = helix.start_angle - sweep, down.top + APPROACH
     arcs = max(1, math.ceil(sweep / math.pi - 1e-9))
-    feed = ramp_feed(feeds, angle)
+    feed = ramp_feed(feeds, down.angle)
 
     def turn(to: float, z: float, at_feed: float) -> None:
         px, py = _on_circle(helix, to)
         builder.arc((px, py, z), helix.center, True, at_feed, Role.ENTRY)
 
     for i in range(1, arcs + 1):
-        z = high + (bottom - high) * i / arcs
+        z = high + (down.bottom - high) * i / arcs
         turn(at + sweep * i / arcs, min(z, begin), feed)
-    turn(helix.start_angle + math.pi, bottom, feeds.horizontal)
-    turn(helix.start_angle + 2 * math.pi, bottom, feeds.horizontal)
+    turn(helix.start_angle + math.pi, down.bottom, feeds.horizontal)
+    turn(helix.start_angle + 2 * math.pi, down.bottom, feeds.horizontal)
 
 
 def slot_levels(slot: Slot, angle: float, depth: float) -> int:
@@ -210,19 +209,13 @@ def slot_levels(slot: Slot, angle: float, depth: float) -> int:
 
 
 def _cut_slot(
-    builder: ToolpathBuilder,
-    slot: Slot,
-    angle: float,
-    top: float,
-    bottom: float,
-    feeds: Feeds,
-    slack: float,
+    builder: ToolpathBuilder, slot: Slot, down: Descent, feeds: Feeds, slack: float
 ) -> None:
     """Add the loops of a slot: each begins with a ramp, the last one runs over its ramp again."""
     ring = closed_line(slot.ring)
-    levels = slot_levels(slot, angle, top - bottom)
-    bite = (top - bottom) / levels
-    ramp = bite / math.tan(angle)
+    levels = slot_levels(slot, down.angle, down.depth)
+    bite = down.depth / levels
+    ramp = bite / math.tan(down.angle)
     corners = distances_along(ring.coords)
     end = levels * ring.length
     turns = np.arange(-math.ceil(ramp / ring.length), levels + 1)
@@ -236,12 +229,12 @@ def _cut_slot(
     heights = np.interp(
         s,
         np.sort(knees),
-        np.repeat(top - bite * np.arange(levels + 1), 2)[1:-1],
+        np.repeat(down.top - bite * np.arange(levels + 1), 2)[1:-1],
     )
     points = points_at(ring, s % ring.length)
-    start = (*entry_start(slot, angle, top, bottom), top)
+    start = (*entry_start(slot, down), down.top)
     path = np.vstack([start, np.column_stack([points, heights])])
-    _cut_points(builder, path, angle, feeds, slack)
+    _cut_points(builder, path, down.angle, feeds, slack)
 
 
 def _cut_points(

@@ -11,7 +11,7 @@ import shapely
 from shapely import LineString
 
 from .entry import slot_levels
-from .floor import Groove, Helix, Plunge
+from .floor import Descent, Groove, Helix, Plunge
 from .groove import groove_path
 from .linking import Motion, link_times
 from .machine import machine_of
@@ -72,7 +72,7 @@ def entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float
     if isinstance(entry, Helix):
         return (depth / math.tan(angle) / start.ring.length + 1) * once
     if isinstance(entry, Groove):
-        return way_seconds(groove_path(entry, angle, depth, 0.0), request, motion)
+        return way_seconds(groove_path(entry, Descent(depth, 0.0, angle)), request, motion)
     levels = slot_levels(entry, angle, depth)
     return levels * once + depth / levels / math.tan(angle) / motion.cut_feed
 

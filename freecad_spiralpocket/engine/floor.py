@@ -109,6 +109,28 @@ class Pass:
 WayDown: TypeAlias = Helix | Slot | Groove | Plunge
 
 
+@dataclass(frozen=True, slots=True)
+class Descent:
+    """How far down a way down leads at one level, and how steeply.
+
+    Attributes
+    ----------
+    top, bottom : float
+        Z of the stock's top and of the level's floor [mm].
+    angle : float
+        Of helix and ramps [rad], in ``(0, pi/2)``.
+    """
+
+    top: float
+    bottom: float
+    angle: float
+
+    @property
+    def depth(self) -> float:
+        """Return how far down it leads [mm]."""
+        return self.top - self.bottom
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class FloorPath:
     """All motion in one region at one level.

@@ -16,7 +16,7 @@ import math
 import numpy as np
 from shapely import LineString
 
-from .floor import Groove
+from .floor import Descent, Groove
 from .model import Floats
 from .points import distances_along
 from .polyline import closed_line
@@ -30,16 +30,16 @@ ROOM = 0.8
 RISE = 2.0
 
 
-def groove_levels(groove: Groove, top: float, bottom: float) -> int:
-    """Return how many passes open the groove from `top` to `bottom`.
+def groove_levels(groove: Groove, depth: float) -> int:
+    """Return how many passes open the groove to a depth [mm].
 
     About a tree every branch is left by the way it was entered: an even number.
     """
-    count = max(1, math.ceil((top - bottom) / groove.bite - 1e-9))
+    count = max(1, math.ceil(depth / groove.bite - 1e-9))
     return count if len(groove.tips) == 1 else count + count % 2
 
 
-def groove_path(groove: Groove, angle: float, top: float, bottom: float) -> Floats:
+def groove_path(groove: Groove, down: Descent) -> Floats:
     """Return the way of the cutter's center, shape (n, 3) [mm].
 
     It ends at the ring's first point, at the bottom.
@@ -47,13 +47,10 @@ def groove_path(groove: Groove, angle: float, top: float, bottom: float) -> Floa
     Parameters
     ----------
     groove : Groove
-    angle : float
-        Of the ramps [rad].
-    top, bottom : float
-        [mm]
+    down : Descent
     """
-    count = groove_levels(groove, top, bottom)
-    bite = (top - bottom) / count
+    count = groove_levels(groove, down.depth)
+    bite = down.depth / count
     ring = closed_line(groove.ring)
     tips = [0.0, *groove.tips, ring.length]
     feet = groove.feet  # behind each tip but the first and the last
@@ -64,9 +61,9 @@ def groove_path(groove: Groove, angle: float, top: float, bottom: float) -> Floa
     while level < count:
         for i in range(first, len(tips) - 1):
             last = i == len(tips) - 2
-            pieces.append(_ramp(ring, tips[i], rooms[i], bite, angle, top - bite * level))
+            pieces.append(_ramp(ring, tips[i], rooms[i], bite, down.angle, down.top - bite * level))
             level += 1
-            z = top - bite * level
+            z = down.top - bite * level
             if last or i == 0:
                 pieces.append(_flat(ring, tips[i], tips[i + 1], z))
             else:

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .entry import APPROACH, cut_entry, entry_start
-from .floor import FloorPath, Pass, WayDown
+from .floor import Descent, FloorPath, Pass, WayDown
+from .levels import Level
 from .model import PocketRequest
 from .rooms import Room
 from .toolpath import Role, Toolpath, ToolpathBuilder
@@ -49,8 +50,7 @@ def render(cuts: Sequence[Cut], request: PocketRequest) -> tuple[Toolpath, NDArr
         the last lift.
     """
     heights, first = request.heights, cuts[0]
-    level = first.room.level
-    x, y = entry_start(first.path.entry, request.entry.helix_angle, level.top, level.bottom)
+    x, y = entry_start(first.path.entry, _descent(first.room.level, request))
     builder = ToolpathBuilder((x, y, heights.clearance))
     here: Room | None = None
     owners: list[tuple[int, int]] = []
@@ -73,46 +73,46 @@ def _cut_room(
 
     Yields the number of each pass when it has been added, -1 for the way down.
     """
-    path, top, bottom = cut.path, cut.room.level.top, cut.room.level.bottom
+    path, down = cut.path, _descent(cut.room.level, request)
     feeds, safe = request.feeds, request.heights.safe
     builder.rapid(feeds.vertical_rapid, z=lift)
-    _go_down(builder, path.entry, top, bottom, request)
+    _go_down(builder, path.entry, down, request)
     yield -1
     for number, part in enumerate(path.passes):
         if not isinstance(part, Pass):
             builder.rapid(feeds.vertical_rapid, z=safe)
-            _go_down(builder, part, top, bottom, request)
+            _go_down(builder, part, down, request)
         elif part.role is Role.AIR:
             builder.rapid(feeds.vertical_rapid, z=safe)
             builder.rapid(feeds.horizontal_rapid, *part.points[-1])
-            builder.rapid(feeds.vertical_rapid, z=min(bottom + APPROACH, safe))
-            builder.line((*part.points[-1], bottom), feeds.vertical, Role.ENTRY)
+            builder.rapid(feeds.vertical_rapid, z=min(down.bottom + APPROACH, safe))
+            builder.line((*part.points[-1], down.bottom), feeds.vertical, Role.ENTRY)
         else:
             feed = request.link_feed if part.role is Role.LINK else feeds.horizontal
             slack = ARC_SHARE * request.tolerance
-            builder.along(part.points, bottom, feed, part.role, slack)
+            builder.along(part.points, down.bottom, feed, part.role, slack)
         yield number
 
 
+def _descent(level: Level, request: PocketRequest) -> Descent:
+    return Descent(level.top, level.bottom, request.entry.helix_angle)
+
+
 def _go_down(
-    builder: ToolpathBuilder,
-    entry: WayDown,
-    top: float,
-    bottom: float,
-    request: PocketRequest,
+    builder: ToolpathBuilder, entry: WayDown, down: Descent, request: PocketRequest
 ) -> None:
     """Add the way over to an entry, at the height where the cutter is, and down to the floor.
 
     Below the safe height rapids go only to where an earlier level was cut: nobody knows how well
     the top of the stock is where it should be.
     """
-    feeds, angle, heights = request.feeds, request.entry.helix_angle, request.heights
-    x, y = entry_start(entry, angle, top, bottom)
-    near = min(top + APPROACH, heights.safe)
+    feeds, heights = request.feeds, request.heights
+    x, y = entry_start(entry, down)
+    near = min(down.top + APPROACH, heights.safe)
     builder.rapid(feeds.horizontal_rapid, x, y)
-    if top < heights.start_depth:
+    if down.top < heights.start_depth:
         builder.rapid(feeds.vertical_rapid, z=near)
     else:
         builder.rapid(feeds.vertical_rapid, z=heights.safe)
         builder.line((x, y, near), feeds.vertical, Role.ENTRY)
-    cut_entry(builder, entry, angle, top, bottom, feeds, ARC_SHARE * request.tolerance)
+    cut_entry(builder, entry, down, feeds, ARC_SHARE * request.tolerance)

@@ -9,7 +9,7 @@ import shapely
 from shapely import LineString, Polygon
 
 from freecad_spiralpocket.engine.branches import feet_between, lengthened, slim_ring
-from freecad_spiralpocket.engine.floor import Groove
+from freecad_spiralpocket.engine.floor import Descent, Groove
 from freecad_spiralpocket.engine.groove import groove_levels, groove_path
 from freecad_spiralpocket.engine.polyline import points_at
 from freecad_spiralpocket.engine.skeleton import medial_axis, peel, without_spurs
@@ -63,7 +63,7 @@ def deepest_bite(path, cell=0.25):
 @pytest.mark.parametrize("depth", [1.0, 3.0, 5.0, 6.0])
 def test_no_place_is_cut_deeper_than_the_bite_at_once(region, depth):
     groove, _ = groove_in(region)
-    path = groove_path(groove, ANGLE, 0.0, -depth)
+    path = groove_path(groove, Descent(0.0, -depth, ANGLE))
     assert deepest_bite(path) <= groove.bite + 0.1
 
 
@@ -71,7 +71,7 @@ def test_no_place_is_cut_deeper_than_the_bite_at_once(region, depth):
 @pytest.mark.parametrize("depth", [1.0, 5.0, 6.0])
 def test_whole_groove_is_at_the_bottom_at_the_end(region, depth):
     groove, visited = groove_in(region)
-    path = groove_path(groove, ANGLE, 0.0, -depth)
+    path = groove_path(groove, Descent(0.0, -depth, ANGLE))
     level = path[:, 2] < -depth + 1e-9
     both = level[1:] & level[:-1]
     lines = shapely.linestrings(np.stack([path[:-1, :2][both], path[1:, :2][both]], axis=1))
@@ -83,7 +83,7 @@ def test_whole_groove_is_at_the_bottom_at_the_end(region, depth):
 @pytest.mark.parametrize("region", [SHORT, CHANNEL, FORK], ids=["short", "channel", "fork"])
 def test_ramps_are_no_steeper_than_asked(region):
     groove, _ = groove_in(region)
-    path = groove_path(groove, ANGLE, 0.0, -6.0)
+    path = groove_path(groove, Descent(0.0, -6.0, ANGLE))
     step = np.diff(path, axis=0)
     down = -step[:, 2]
     assert (down <= math.tan(ANGLE) * np.hypot(step[:, 0], step[:, 1]) + 1e-9).all()
@@ -93,8 +93,8 @@ def test_tree_takes_an_even_number_of_levels_and_a_line_as_few_as_it_needs():
     line, _ = groove_in(CHANNEL)
     tree, _ = groove_in(FORK)
     assert len(line.tips) == 1 and len(tree.tips) == 2 and len(tree.feet) == 1
-    assert groove_levels(line, 0.0, -5.0) == 3
-    assert groove_levels(tree, 0.0, -5.0) == 4
+    assert groove_levels(line, 5.0) == 3
+    assert groove_levels(tree, 5.0) == 4
 
 
 def test_foot_lies_at_the_junction():
@@ -107,5 +107,5 @@ def test_foot_lies_at_the_junction():
 @pytest.mark.parametrize("region", [SHORT, FORK], ids=["short", "fork"])
 def test_loops_at_the_tips_stay_in_the_groove(region):
     groove, visited = groove_in(region)
-    path = groove_path(groove, ANGLE, 0.0, -6.0)
+    path = groove_path(groove, Descent(0.0, -6.0, ANGLE))
     assert visited.buffer(0.05).covers(LineString(path[:, :2]))

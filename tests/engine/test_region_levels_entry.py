@@ -19,7 +19,7 @@ from freecad_spiralpocket.engine.entry import (
     ramp_feed,
 )
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, named
-from freecad_spiralpocket.engine.floor import Helix, Slot
+from freecad_spiralpocket.engine.floor import Descent, Helix, Slot
 from freecad_spiralpocket.engine.levels import floors
 from freecad_spiralpocket.engine.model import Entry, Heights
 from freecad_spiralpocket.engine.region import (
@@ -92,9 +92,9 @@ def test_full_steps_come_first_as_in_freecads_operations():
 def test_helix_descends_at_its_angle_and_ends_where_the_spiral_begins(degrees):
     angle = math.radians(degrees)
     helix = Helix(np.array([5.0, -2.0]), 2.8, 0.7)
-    x, y = entry_start(helix, angle, 0.0, -5.0)
+    x, y = entry_start(helix, Descent(0.0, -5.0, angle))
     builder = ToolpathBuilder((x, y, 0.5))
-    cut_entry(builder, helix, angle, 0.0, -5.0, FEEDS, 0.004)
+    cut_entry(builder, helix, Descent(0.0, -5.0, angle), FEEDS, 0.004)
     toolpath = builder.build()
     assert (np.abs(toolpath.sweeps) <= math.pi + 1e-9).all()
     assert (toolpath.kinds == Kind.ARC_CCW).all()
@@ -111,9 +111,9 @@ def test_helix_descends_at_its_angle_and_ends_where_the_spiral_begins(degrees):
 def test_slot_sinks_by_its_bite_a_loop_and_ends_flat_where_its_ring_begins(depth):
     ring = np.array(box(0, 0, 40, 6).exterior.coords)[:-1][::-1]
     slot, angle = Slot(ring, 1.8), math.radians(5)
-    x, y = entry_start(slot, angle, 0.0, -depth)
+    x, y = entry_start(slot, Descent(0.0, -depth, angle))
     builder = ToolpathBuilder((x, y, 0.5))
-    cut_entry(builder, slot, angle, 0.0, -depth, FEEDS, 0.004)
+    cut_entry(builder, slot, Descent(0.0, -depth, angle), FEEDS, 0.004)
     toolpath = builder.build()
     along = np.cumsum(np.hypot(*(toolpath.points - toolpath.starts)[:, :2].T))
     levels = math.ceil(depth / 1.8)
@@ -131,8 +131,8 @@ def test_slot_sinks_by_its_bite_a_loop_and_ends_flat_where_its_ring_begins(depth
 def test_slot_shorter_than_its_ramps_is_no_steeper(width):
     ring = np.array(box(0, 0, width, width).exterior.coords)[:-1][::-1]
     slot, angle = Slot(ring, 1.8), math.radians(5)
-    builder = ToolpathBuilder((*entry_start(slot, angle, 0.0, -5.0), 0.5))
-    cut_entry(builder, slot, angle, 0.0, -5.0, FEEDS, 0.004)
+    builder = ToolpathBuilder((*entry_start(slot, Descent(0.0, -5.0, angle)), 0.5))
+    cut_entry(builder, slot, Descent(0.0, -5.0, angle), FEEDS, 0.004)
     toolpath = builder.build()
     drop = toolpath.starts[:, 2] - toolpath.points[:, 2]
     flat = np.hypot(*(toolpath.points - toolpath.starts)[:, :2].T)
