@@ -28,9 +28,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .feed_runs import lengthen_runs
 from .filters import lowest
 from .model import FeedMode, Floats
-from .runs import lengthen_runs
 from .stations import Measured, ends_of, points_at, stations_of
 from .toolpath import Role, Toolpath
 

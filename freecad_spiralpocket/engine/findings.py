@@ -7,7 +7,7 @@ import numpy as np
 from shapely import MultiPolygon
 
 from .model import Notice, PocketRequest
-from .steps import Step
+from .wall_steps import WallStep
 
 #: Uncut area over that of the cutter's disc that is worth telling.
 TOLD_UNCUT = 1e-3
@@ -63,7 +63,7 @@ def tell_uncut(uncut: MultiPolygon, request: PocketRequest) -> list[Notice]:
     ]
 
 
-def tell_steps(step: Step) -> list[Notice]:
+def tell_steps(step: WallStep) -> list[Notice]:
     """Tell how large the steps on slanted walls are, if there are any."""
     if step.width == 0:
         return []

@@ -29,10 +29,10 @@ from .loads import measure_load
 from .machine import machine_of
 from .model import PocketRequest, Report
 from .region import polygons_of
-from .steps import largest_step
 from .swept import SAME_HEIGHT, Pieces, cut_into_pieces
 from .timing import time_of
 from .toolpath import Kind, Role, Toolpath
+from .wall_steps import largest_step
 
 #: Narrower steps on slanted walls are not told [mm].
 TOLD_STEP = 0.05

@@ -24,7 +24,7 @@ from freecad_spiralpocket.engine.feed import (
     linear_slowdown,
     plan_feeds,
 )
-from freecad_spiralpocket.engine.runs import lengthen_runs
+from freecad_spiralpocket.engine.feed_runs import lengthen_runs
 from freecad_spiralpocket.engine.stations import fractions_of, moves_at, points_at, stations_of
 from freecad_spiralpocket.engine.toolpath import Kind, Role, Toolpath, ToolpathBuilder
 

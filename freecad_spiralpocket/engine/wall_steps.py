@@ -25,7 +25,7 @@ ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class WallStep:
     """The stock that stays between the wall and what is cleared.
 
     Attributes
@@ -41,7 +41,7 @@ class Step:
     place: tuple[float, float] | None
 
 
-def largest_step(levels: Sequence[Level], least: float) -> Step:
+def largest_step(levels: Sequence[Level], least: float) -> WallStep:
     """Return the width of the widest and the height of the highest step.
 
     Parameters
@@ -52,12 +52,12 @@ def largest_step(levels: Sequence[Level], least: float) -> Step:
     """
     steps = [step for step in map(step_of, levels) if step.width > least]
     if not steps:
-        return Step(0.0, 0.0, None)
+        return WallStep(0.0, 0.0, None)
     widest = max(steps, key=lambda step: step.width)
-    return Step(widest.width, max(step.height for step in steps), widest.place)
+    return WallStep(widest.width, max(step.height for step in steps), widest.place)
 
 
-def step_of(level: Level) -> Step:
+def step_of(level: Level) -> WallStep:
     """Return the step that stays on the walls of one level."""
     width, place = 0.0, None
     for piece in polygons_of(shapely.difference(level.mouth, level.pocket)):
@@ -69,4 +69,4 @@ def step_of(level: Level) -> Step:
             here, reach = widest_disc(piece)
         if reach > width:
             width, place = reach, (float(here[0]), float(here[1]))
-    return Step(width, level.top - level.bottom, place)
+    return WallStep(width, level.top - level.bottom, place)
