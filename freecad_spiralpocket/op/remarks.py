@@ -25,49 +25,62 @@ def depths(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
     obj : object
         The operation.
     """
-    stock, found = parent_job(obj).Stock.Shape.BoundBox, []
-    below, through = floor - wanted.floor, stock.ZMin - wanted.floor
-    if through > SAME_HEIGHT and below <= SAME_HEIGHT:
-        found.append(
-            Notice(
-                f"The selected floor lies {through:.3g} mm below the stock.",
-                "Look whether the stock is where it should be.",
-            )
+    stock = parent_job(obj).Stock.Shape.BoundBox
+    found = [
+        _below(floor - wanted.floor, stock.ZMin - wanted.floor),
+        _into_walls(-wanted.cutting.stock_to_leave),
+        _above(wanted.heights.start_depth, stock.ZMax, obj),
+    ]
+    return [notice for notice in found if notice is not None]
+
+
+def _below(floor: float, stock: float) -> Notice | None:
+    """Tell how far the cutter goes below the selected floor and below the stock [mm]."""
+    is_below, is_through = floor > SAME_HEIGHT, stock > SAME_HEIGHT
+    if is_through and is_below:
+        return Notice(
+            f"The cutter goes {floor:.3g} mm below the selected floor, {stock:.3g} mm of "
+            "that below the stock.",
+            "Look what lies under the stock, or raise FinalDepth.",
         )
-    elif through > SAME_HEIGHT:
-        found.append(
-            Notice(
-                f"The cutter goes {below:.3g} mm below the selected floor, {through:.3g} mm of "
-                "that below the stock.",
-                "Look what lies under the stock, or raise FinalDepth.",
-            )
+    if is_through:
+        return Notice(
+            f"The selected floor lies {stock:.3g} mm below the stock.",
+            "Look whether the stock is where it should be.",
         )
-    elif below > SAME_HEIGHT:
-        found.append(
-            Notice(
-                f"The cutter goes {below:.3g} mm below the selected floor.",
-                "Raise FinalDepth or ZStockToLeave if that is not meant.",
-            )
+    if is_below:
+        return Notice(
+            f"The cutter goes {floor:.3g} mm below the selected floor.",
+            "Raise FinalDepth or ZStockToLeave if that is not meant.",
         )
-    into = -wanted.cutting.stock_to_leave
-    if into > 0:
-        found.append(
-            Notice(
-                f"The cutter goes {into:.3g} mm into the walls.",
-                "Raise StockToLeave if that is not meant.",
-            )
-        )
-    above = stock.ZMax - wanted.heights.start_depth
-    lowest = min((o.Path.BoundBox.ZMin for o in operations_before(obj)), default=stock.ZMax)
-    if above > SAME_HEIGHT and lowest > wanted.heights.start_depth + SAME_HEIGHT:
-        found.append(
-            Notice(
-                f"The stock reaches {above:.3g} mm above the start depth; the cutter goes down "
-                "through that without ramping.",
-                "Raise StartDepth to the top of the stock, or clear it with an operation before.",
-            )
-        )
-    return found
+    return None
+
+
+def _into_walls(into: float) -> Notice | None:
+    """Tell how far the cutter goes into the walls [mm]."""
+    if into <= 0:
+        return None
+    return Notice(
+        f"The cutter goes {into:.3g} mm into the walls.",
+        "Raise StockToLeave if that is not meant.",
+    )
+
+
+def _above(start: float, stock: float, obj: Any) -> Notice | None:
+    """Tell how far the stock's top is above the start depth, both Z [mm].
+
+    Not where an operation before this one has been there.
+    """
+    if stock - start <= SAME_HEIGHT:
+        return None
+    lowest = min((o.Path.BoundBox.ZMin for o in operations_before(obj)), default=stock)
+    if lowest <= start + SAME_HEIGHT:
+        return None
+    return Notice(
+        f"The stock reaches {stock - start:.3g} mm above the start depth; the cutter goes down "
+        "through that without ramping.",
+        "Raise StartDepth to the top of the stock, or clear it with an operation before.",
+    )
 
 
 def tool(controller: Any, depth: float) -> list[Notice]:
