@@ -97,6 +97,20 @@ def absolute_curvature(toolpath: Toolpath) -> tuple[Floats, Floats]:
 def weighted_quantiles(values: Floats, weights: Floats, shares: Floats | Sequence[float]) -> Floats:
     """Return the smallest values below which `shares` of the weight lie, one for each share.
 
+    Parameters
+    ----------
+    values, weights : ndarray of shape (n,)
+        In any order; weights are 0 or more.
+    shares : array-like of shape (k,)
+        In [0, 1].
+
+    Returns
+    -------
+    ndarray of shape (k,)
+        Of `values`; nan where there are none.
+
+    Notes
+    -----
     ``weighted_quantiles(*absolute_curvature(path), [0.95, 0.99])`` are Cut95 and Cut99.
     """
     if len(values) == 0:

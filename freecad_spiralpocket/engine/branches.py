@@ -66,7 +66,10 @@ def lengthened(
 
 
 def smoothed(line: LineString, width: float) -> Floats:
-    """Return a line with its bends smoothed and its ends where they were."""
+    """Return a line with its bends smoothed and its ends where they were, shape (n, 2) [mm].
+
+    `width` is that of the bell curve by which its points are evened out [mm].
+    """
     count = max(4, int(line.length / SAMPLING))
     points = points_at(line, np.linspace(0, line.length, count))
     smooth = evened(points, width * count / line.length)

@@ -178,7 +178,7 @@ class ClearedMap:
         return result
 
     def cells(self, points: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """Return row and column of each point's pixel, clipped to the raster."""
+        """Return row and column of each point's pixel, clipped to the raster; points are in mm."""
         cell = ((points - self.origin) / self.pixel).astype(int)
         row = np.clip(cell[..., 1], 0, self.shape[0] - 1)
         column = np.clip(cell[..., 0], 0, self.shape[1] - 1)

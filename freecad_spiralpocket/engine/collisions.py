@@ -44,7 +44,16 @@ class Hit:
 
 
 def hits_along(engagement: Engagement, chosen: NDArray[np.bool_], slack: float) -> Hit:
-    """Return how far the chosen samples run through stock wider than `slack` [mm]."""
+    """Return how far the chosen samples run through stock.
+
+    Parameters
+    ----------
+    engagement : Engagement
+        Of k samples.
+    chosen : ndarray of bool, shape (k,)
+    slack : float
+        Stock that reaches no farther across the direction of travel does not count [mm].
+    """
     through = np.flatnonzero(chosen & (engagement.radial_depths > slack))
     if len(through) == 0:
         return Hit(0.0, None)

@@ -40,12 +40,18 @@ def evened(values: Floats, sigma: float, *, closed: bool = False) -> Floats:
 
 
 def highest(values: Floats, width: int, *, closed: bool = False) -> Floats:
-    """Return the largest of the `width` (odd) values about each, shape (n,)."""
+    """Return the largest of the `width` (odd) values about each, shape (n,).
+
+    `closed` is as in `evened`.
+    """
     return sliding_window_view(_continued(values, width // 2, closed), width).max(axis=-1)
 
 
 def lowest(values: Floats, width: int, *, closed: bool = False) -> Floats:
-    """Return the smallest of the `width` (odd) values about each, shape (n,)."""
+    """Return the smallest of the `width` (odd) values about each, shape (n,).
+
+    `closed` is as in `evened`.
+    """
     return sliding_window_view(_continued(values, width // 2, closed), width).min(axis=-1)
 
 

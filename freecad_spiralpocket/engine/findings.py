@@ -80,9 +80,19 @@ def tell_steps(step: WallStep) -> list[Notice]:
 def tell_engagement(
     angle: float, place: Place, share: float, is_slowed: bool, request: PocketRequest
 ) -> list[Notice]:
-    """Tell where the engagement is largest [rad], if that is clearly above the limit.
+    """Tell where the engagement is largest, if that is clearly above the limit.
 
-    And which share of the cut clearly passes the limit, and whether the feed is lowered there.
+    Parameters
+    ----------
+    angle : float
+        The largest engagement angle [rad].
+    place : tuple of float or None
+        Where it is, (x, y) [mm].
+    share : float
+        Of the cut, clearly passes the limit, in [0, 1].
+    is_slowed : bool
+        Whether the feed is lowered there.
+    request : PocketRequest
     """
     limit = request.engagement_limit
     if angle <= over_limit(limit):

@@ -154,7 +154,15 @@ def cutting_forces(
 
 
 def removal_rates(angles: Floats, feeds: Floats, axial_depth: float, diameter: float) -> Floats:
-    """Return the volume that is cut in each second [mm3/s]."""
+    """Return the volume that is cut in each second, shape (n,) [mm3/s].
+
+    Parameters
+    ----------
+    angles, feeds : ndarray of shape (n,)
+        Engagement [rad] and feed [mm/s].
+    axial_depth, diameter : float
+        Full axial depth, and D [mm].
+    """
     return np.asarray(feeds) * axial_depth * diameter / 2 * (1 - np.cos(angles))
 
 

@@ -37,18 +37,18 @@ class Gaps:
     ends: Floats
 
     def angles(self, n: int) -> Floats:
-        """Return the sum of the gaps of each of `n` rims [rad]."""
+        """Return the sum of the gaps of each of `n` rims, shape (n,) [rad]."""
         return np.bincount(self.rims, self.ends - self.begins, minlength=n).astype(float)
 
     def widths(self, n: int, cutter_radius: float) -> Floats:
-        """Return the sum of the gaps' widths across the heading [mm]."""
+        """Return the sum of the gaps' widths across the heading, shape (n,) [mm]."""
         wide = cutter_radius * np.abs(np.sin(self.ends) - np.sin(self.begins))
         return np.bincount(self.rims, wide, minlength=n).astype(float)
 
     def foremost(self, n: int) -> Floats:
-        """Return the largest cosine of rim angles in the gaps of each of `n` rims; 0 for none.
+        """Return the largest cosine of rim angles in the gaps of each of `n` rims, shape (n,).
 
-        Gaps narrower than `DUST` do not count.
+        0 for none. Gaps narrower than `DUST` do not count.
         """
         wide = self.ends - self.begins > DUST
         nearest = np.maximum(np.maximum(self.begins, -self.ends), 0.0)[wide]
@@ -63,7 +63,7 @@ class Gaps:
         return found
 
     def hull(self, offset: int, n: int, half: float) -> tuple[Floats, Floats]:
-        """Return where the first gap of `n` rims begins and the last one ends [rad].
+        """Return where the first gap of `n` rims begins and the last one ends, shape (n,) [rad].
 
         Of rims `offset` and following. Without gaps the end comes before the begin.
         """
@@ -103,7 +103,10 @@ class Gaps:
         return r * np.stack([np.cos(middle), np.sin(middle)]), reach
 
     def without(self, rims: NDArray[np.int64], low: Floats, high: Floats, half: float) -> Gaps:
-        """Return what is left when these intervals, given as in `standing`, are cleared too."""
+        """Return what is left when more intervals are cleared too.
+
+        `rims`, `low`, `high` [rad] and `half` are as in `standing`.
+        """
         mine, others = self.split(rims)
         known = np.isin(rims, mine.rims)
         cleared = mine._complement(half)

@@ -55,7 +55,22 @@ def shortest_paths(
 
 
 def spanning_tree(count: int, edges: NDArray[np.intp], lengths: Floats) -> NDArray[np.intp]:
-    """Return the edges of the shortest tree (of several, the forest) that spans `count` nodes."""
+    """Return the edges of the shortest tree (of several, the forest) that spans `count` nodes.
+
+    Parameters
+    ----------
+    count : int
+        Nodes are numbered from 0.
+    edges : ndarray of int, shape (m, 2)
+        The nodes that each joins.
+    lengths : ndarray of shape (m,)
+        Of edges, 0 or more; equal to 1e-6 are ties, which the first wins.
+
+    Returns
+    -------
+    ndarray of int, shape (k, 2)
+        Some of `edges`, in their order.
+    """
     root = list(range(count))
 
     def root_of(node: int) -> int:

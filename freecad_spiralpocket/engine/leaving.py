@@ -30,7 +30,22 @@ def straightest(ring: LineString, window: float, radius: float) -> float:
 
 
 def bends(ring: LineString, at: Floats, window: float) -> Floats:
-    """Return by how much a closed ring bends over the next `window` [mm] from places [rad]."""
+    """Return by how much a closed ring bends from each of some places on [rad].
+
+    Parameters
+    ----------
+    ring : LineString
+        Closed.
+    at : ndarray of shape (n,)
+        Places along it [mm].
+    window : float
+        Bends over so much count, left and right alike [mm].
+
+    Returns
+    -------
+    ndarray of shape (n,)
+        0 or more, to 3 decimals: so what is straight but for rounding is equally straight.
+    """
     coords = shapely.get_coordinates(ring)
     heading = np.unwrap(np.arctan2(*np.diff(coords, axis=0).T[::-1]))
     along = distances_along(coords)

@@ -167,7 +167,24 @@ def fine_link(
     which: int,
     count: int,
 ) -> Floats:
-    """Return one of the candidates, by its place among the combinations, shape (count, 2)."""
+    """Return one of the candidates of `hermite_links`, more finely drawn.
+
+    Parameters
+    ----------
+    start, heading, end, arriving : ndarray of shape (2,)
+        Where it begins and ends [mm], and the unit directions there.
+    radius : float
+        R [mm].
+    which : int
+        Its place among the combinations of handles.
+    count : int
+        Points to draw.
+
+    Returns
+    -------
+    ndarray of shape (count, 2)
+        [mm]
+    """
     controls = _controls(start, heading, end[None], arriving[None], radius)
     return _curves(controls[:, which : which + 1], count)[0, 0]
 
@@ -241,7 +258,7 @@ def link_times(paths: Floats, motion: Motion) -> Floats:
 
 
 def are_nervous(paths: Floats, motion: Motion) -> NDArray[np.bool_]:
-    """Return which paths have a bend tighter than the least radius."""
+    """Return which paths, shape (..., n, 2) [mm], have a bend tighter than the least radius."""
     return _are_tight(_bends(paths)[1], motion)
 
 

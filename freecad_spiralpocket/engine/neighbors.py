@@ -98,7 +98,7 @@ class Neighbors:
 
 
 def neighborhoods(samples: Samples, pieces: Pieces, cutter_radius: float) -> Iterator[Neighbors]:
-    """Yield the samples, portion by portion, with the earlier pieces within 2 r of them.
+    """Yield the samples, portion by portion, with the earlier pieces within 2 r of them [mm].
 
     Pieces above a sample have not cleared its ground and are not allowed; rapids never are.
     """

@@ -121,7 +121,16 @@ def without_hairs(region: Polygon, radius: float) -> list[Polygon]:
 def unreachable_notices(
     pocket: Polygon, regions: list[Polygon], cutter_radius: float, stock: float
 ) -> tuple[Notice, ...]:
-    """Return a notice for each part of the pocket that the cutter cannot enter."""
+    """Return a notice for each part of the pocket that the cutter cannot enter.
+
+    Parameters
+    ----------
+    pocket : shapely.Polygon
+    regions : list of shapely.Polygon
+        Its cutter-center regions.
+    cutter_radius, stock : float
+        R, and what is left on the walls [mm].
+    """
     target = grow(pocket, -stock) if stock else pocket
     reached = grow(MultiPolygon(regions), cutter_radius)
     notices = []

@@ -64,7 +64,7 @@ class Samples:
 
 
 def take_samples(pieces: Pieces, cutter_radius: float, spacing: float) -> Samples:
-    """Place samples at most `spacing` [mm] apart in every run, and at its ends.
+    """Place samples at most `spacing` apart in every run, and at its ends; lengths are in mm.
 
     A run is level or a ramp throughout and has no kink, so equal levels get equal samples.
     """
@@ -108,9 +108,21 @@ def between(
     jump: float,
     spacing: float,
 ) -> Samples:
-    """Return new samples halfway between neighbors whose values differ by more than `jump`.
+    """Return new samples halfway between neighbors whose values differ much.
 
-    Only between neighbors farther apart than `spacing` [mm].
+    Parameters
+    ----------
+    pieces : Pieces
+        What the samples are on.
+    samples : Samples
+    values : ndarray of shape (k,)
+        What was measured at each.
+    cutter_radius : float
+        [mm]
+    jump : float
+        Values that differ by no more need nothing between them, in their unit.
+    spacing : float
+        Nor do neighbors that are no farther apart [mm].
     """
     gaps = np.diff(samples.distances)
     wide = np.flatnonzero((gaps > spacing) & (np.abs(np.diff(values)) > jump))

@@ -37,7 +37,12 @@ def planned_resized(
     """Return a region's path by a strategy, in the size that its lengths are meant for.
 
     A smaller cutter's pocket is planned larger. A larger one's is planned smaller as far as the
-    tolerance is coarser too. Lengths and places in errors are those of the pocket.
+    tolerance is coarser too.
+
+    Raises
+    ------
+    SpiralPocketError
+        What the strategy raises, with lengths and places in the size of the pocket.
     """
     factor = max(SIZE / request.cutter_radius, min(1.0, EXACT / request.tolerance))
     if factor == 1.0:

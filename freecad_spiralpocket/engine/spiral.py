@@ -52,7 +52,10 @@ EASE = 0.2
 
 
 def eased(u: Floats) -> Floats:
-    """Return a rise from 0 to 1 whose slope builds up and dies away evenly, flat between."""
+    """Return a rise from 0 to 1 over `u` in [0, 1], of any shape.
+
+    Its slope builds up and dies away evenly and is constant between.
+    """
     top = 1 / (1 - EASE)
     rise = top * u * u / (2 * EASE)
     fall = 1 - top * (1 - u) ** 2 / (2 * EASE)
@@ -60,7 +63,10 @@ def eased(u: Floats) -> Floats:
 
 
 def between(line: LineString, start: float, length: float) -> Floats:
-    """Return the points of a closed line from `start` on over `length` [mm], ends included."""
+    """Return the points of a closed line from `start` on over `length`, shape (n, 2) [mm].
+
+    Both ends are among them.
+    """
     coords = shapely.get_coordinates(line)
     along = distances_along(coords)
     total = float(along[-1])
@@ -77,7 +83,7 @@ def between(line: LineString, start: float, length: float) -> Floats:
 
 
 def blend(lap: LineString, start: float, target: LineString, length: float) -> Floats:
-    """Return the way from `lap` at `start` onto `target`, over `length` [mm]."""
+    """Return the way from `lap` at `start` onto `target`, over `length`, shape (n, 2) [mm]."""
     count = max(4, int(np.ceil(length / FINE_CHORD)))
     u = np.linspace(0.0, 1.0, count + 1)
     source = points_at(lap, (start + u * length) % lap.length)
@@ -96,7 +102,7 @@ def zone_size(radius: float, stepover: float) -> float:
 
 
 def zone_length(lap: LineString, target: LineString, radius: float) -> float:
-    """Return the length of the zone between two laps [mm]."""
+    """Return the length of the zone between two laps [mm]; for `radius` see `zone_size`."""
     shortest = min(lap.length, target.length)
     share = INWARDS if target.length < lap.length else OUTWARDS
     return min(BLEND * radius, share * shortest)
@@ -105,9 +111,23 @@ def zone_length(lap: LineString, target: LineString, radius: float) -> float:
 def gaps(
     lap: LineString, target: LineString, starts: Floats, length: float, within: float = np.inf
 ) -> Floats:
-    """Return the widest gap to `target` in the zone of `length` that begins at each of `starts`.
+    """Return the widest gap between two laps in the zone that begins at each of some places.
 
-    Infinite where it is wider than `within` [mm].
+    Parameters
+    ----------
+    lap, target : LineString
+        Closed.
+    starts : ndarray of shape (n,)
+        Places along `lap` [mm].
+    length : float
+        Of the zones [mm].
+    within : float, optional
+        Wider gaps are infinite, which takes less time [mm].
+
+    Returns
+    -------
+    ndarray of shape (n,)
+        [mm]
     """
     at = (starts[:, None] + np.linspace(0.0, length, 7)) % lap.length
     points = points_at(lap, at.ravel())
@@ -116,10 +136,10 @@ def gaps(
 
 
 def zones(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
-    """Return places along `lap` where it may be left for `target`, some `ZONES`, [mm].
+    """Return places along `lap` where it may be left for `target`, some `ZONES`, shape (n,) [mm].
 
     Spread over those where the gap through the zone is at most `widest`; the one of the least gap
-    where there is none.
+    where there is none. For `radius` see `zone_size`.
     """
     starts = np.linspace(0.0, lap.length, max(12, int(lap.length / radius)), endpoint=False)
     length = zone_length(lap, target, radius)
@@ -131,7 +151,10 @@ def zones(lap: LineString, target: LineString, radius: float, widest: float) -> 
 
 
 def anywhere(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
-    """Return all places along `lap` where it may be left for `target`, `CLOSE` together [mm]."""
+    """Return all places along `lap` where it may be left for `target`, shape (n,) [mm].
+
+    They are `CLOSE` together; `radius` and `widest` are as in `zones`.
+    """
     count = max(12, int(lap.length / (CLOSE * radius)))
     starts = np.linspace(0.0, lap.length, count, endpoint=False)
     length = zone_length(lap, target, radius)
@@ -141,7 +164,8 @@ def anywhere(lap: LineString, target: LineString, radius: float, widest: float) 
 def ends_of(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
     """Return where to leave `lap` for a slim `target`, so that one side of that is cut first [mm].
 
-    Then hardly anything is left for the way back. Empty where it is not slim, or too far.
+    Then hardly anything is left for the way back. Shape (2,) at most, empty where it is not slim,
+    or too far; `radius` and `widest` are as in `zones`.
     """
     coords = shapely.get_coordinates(target)
     if 4 * np.pi * Polygon(coords).area > SLIM * target.length**2:
@@ -157,10 +181,10 @@ def ends_of(lap: LineString, target: LineString, radius: float, widest: float) -
 def onward(
     lap: LineString, start: float, target: LineString, radius: float, widest: float
 ) -> float | None:
-    """Return how far beyond `start` a lap is best left for the next.
+    """Return how far beyond `start` a lap is best left for the next [mm].
 
     That is to where the gap through the zone is at most `widest`, at most over the length of a
-    zone; None if it is nowhere.
+    zone; None if it is nowhere. `radius` and `widest` are as in `zones`.
     """
     length = zone_length(lap, target, radius)
     further = np.arange(0.0, length, radius / 2)

@@ -295,7 +295,15 @@ def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:
 def leaves_no_post(
     visited: Polygon, request: PocketRequest, islands: Sequence[Polygon] = ()
 ) -> bool:
-    """Return whether the cutter, once round `visited`, clears all of it but the islands."""
+    """Return whether the cutter, its center once round `visited`, clears all of it but islands.
+
+    Parameters
+    ----------
+    visited : shapely.Polygon
+    request : PocketRequest
+        For the cutter's radius.
+    islands : sequence of shapely.Polygon, optional
+    """
     ring = LineString(shapely.simplify(visited.exterior, 0.01).coords)
     swept = shapely.buffer(ring, request.cutter_radius, quad_segs=16)
     standing = shapely.difference(Polygon(visited.exterior), shapely.union_all([swept, *islands]))

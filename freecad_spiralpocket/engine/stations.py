@@ -104,5 +104,5 @@ def points_at(toolpath: Toolpath, moves: Moves, fractions: Floats) -> Floats:
 
 
 def moves_at(toolpath: Toolpath, stations: Floats) -> Moves:
-    """Return the move on which each station lies, the earlier one at a joint."""
+    """Return the move on which each station [mm] lies, shape (k,); the earlier one at a joint."""
     return np.minimum(np.searchsorted(ends_of(toolpath), stations), len(toolpath) - 1)

@@ -74,7 +74,7 @@ class Run:
 
 
 def leanings(strokes: Sequence[Stroke], stepover: float) -> list[set[int]]:
-    """Return for each stroke the strokes of lower levels that it leans on."""
+    """Return for each stroke the strokes of lower levels that it leans on; `stepover` is in mm."""
     chunks, owner = [], []
     for i, stroke in enumerate(strokes):
         for k in range(0, len(stroke.points) - 1, CHUNK):
@@ -273,5 +273,5 @@ def _begins_on(
 
 
 def unit(v: Floats) -> Floats:
-    """Return the unit vector along one; of none, none."""
+    """Return the unit vector along one, shape (2,); of none, none."""
     return v / (np.hypot(*v) + 1e-12)

@@ -60,7 +60,7 @@ def strokes_of(fronts: Sequence[Polygon]) -> list[Stroke]:
 
 
 def strokes_between(before: Polygon, after: Polygon, level: int) -> list[Stroke]:
-    """Return the strokes from one front to the next."""
+    """Return the strokes from one front to the next, which is that of `level`."""
     return [
         Stroke(points, level, closed, i == 0)
         for i, ring in enumerate((after.exterior, *after.interiors))

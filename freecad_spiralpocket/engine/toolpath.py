@@ -166,7 +166,7 @@ class ToolpathBuilder:
         y: float | None = None,
         z: float | None = None,
     ) -> None:
-        """Move at the rapid rate `feed` [mm/s]; a coordinate not given stays."""
+        """Move to (x, y, z) [mm] at the rapid rate `feed` [mm/s]; a coordinate not given stays."""
         point = np.array(
             [h if v is None else v for h, v in zip(self._here, (x, y, z), strict=True)], float
         )
@@ -204,7 +204,20 @@ class ToolpathBuilder:
         feed: float,
         role: Role,
     ) -> None:
-        """Move along an arc of at most half a turn about `center`, (x, y) [mm]."""
+        """Move along an arc of at most half a turn, evenly up or down.
+
+        Parameters
+        ----------
+        point : sequence of float
+            Its end (x, y, z) [mm].
+        center : sequence of float
+            (x, y) [mm], as far from both ends.
+        ccw : bool
+            Whether it turns counter-clockwise.
+        feed : float
+            [mm/s]
+        role : Role
+        """
         kind = Kind.ARC_CCW if ccw else Kind.ARC_CW
         self._add(kind, role, np.array(point, float), np.array(center, float), feed)
 
