@@ -58,7 +58,7 @@ def prove(
     Report
         Engagement points and angles are those of feed moves.
     """
-    r, top, bottom = request.cutter_radius, request.heights.start_depth, request.floor
+    r, top = request.cutter_radius, request.heights.start_depth
     pieces = cut_into_pieces(toolpath, r, top, request.axial_depth)
     if engagement is None:
         engagement = engagement_of(toolpath, request)
@@ -67,11 +67,7 @@ def prove(
     uncut = _uncut(request, levels, pieces)
     gouge, place = _gouge(levels, pieces, r + request.cutting.stock_to_leave)
     step = largest_step(levels, TOLD_STEP)
-    too_deep = max(0.0, bottom - float(toolpath.points[:, 2].min(initial=bottom)))
-    worst = place
-    if too_deep > gouge:
-        x, y, _ = toolpath.points[int(np.argmin(toolpath.points[:, 2]))].tolist()
-        worst = (x, y)
+    too_deep, deepest = _too_deep(toolpath, request.floor)
     rapid, link = _hits(request, toolpath, engagement, pieces)
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
     return Report(
@@ -90,7 +86,7 @@ def prove(
         engagement_moves=engagement.moves[fed],
         uncut=uncut,
         gouge=max(gouge, too_deep),
-        gouge_place=worst,
+        gouge_place=deepest if too_deep > gouge else place,
         hit_moves=rapid.moves | link.moves,
         step_width=step.width,
         step_height=step.height,
@@ -141,6 +137,16 @@ def _uncut(request: PocketRequest, levels: Sequence[Level], pieces: Pieces) -> M
     if len(left) == 1:
         return left[0]
     return MultiPolygon(polygons_of(shapely.union_all(left)))
+
+
+def _too_deep(toolpath: Toolpath, floor: float) -> tuple[float, tuple[float, float] | None]:
+    """Return how far a path goes below the floor [mm], and where it does most."""
+    heights = toolpath.points[:, 2]
+    depth = max(0.0, floor - float(heights.min(initial=floor)))
+    if depth == 0.0:
+        return 0.0, None
+    x, y, _ = toolpath.points[int(np.argmin(heights))].tolist()
+    return depth, (x, y)
 
 
 def _alike(levels: Sequence[Level]) -> list[tuple[Polygon, list[int]]]:
