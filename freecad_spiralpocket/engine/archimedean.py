@@ -24,7 +24,7 @@ from .coverable import Center
 from .model import Floats
 from .points import three_point_curvature
 from .polyline import points_at
-from .shaping import buffer, oriented
+from .shaping import grow_coarsely, oriented
 from .strokes import CHORD
 
 #: Curvature is measured over this length to both sides, over R.
@@ -138,7 +138,7 @@ def spiral_about(center: Center, half_width: float, stepover: float, radius: flo
 
 def _offset(curve: shapely.Geometry, distance: float, bend: float) -> Polygon:
     """Return what lies within an offset, reentrant bends at least of a radius [mm]."""
-    shape = oriented(buffer(buffer(curve, distance + bend), -bend))
+    shape = oriented(grow_coarsely(grow_coarsely(curve, distance + bend), -bend))
     return Polygon(shape.exterior)
 
 

@@ -18,7 +18,7 @@ from .filters import evened
 from .model import Floats
 from .nearest import nearest
 from .polyline import points_at
-from .shaping import buffer, largest
+from .shaping import closing_of, grow_coarsely, largest
 from .skeleton import Edges, Skeleton, distances_from
 
 #: A groove ends so far from the wall ahead, over the distance of the walls at its sides.
@@ -93,9 +93,9 @@ def _gone_on(points: Floats, region: Polygon) -> Floats:
 
 def slim_ring(branches: list[Floats], half: float, region: Polygon) -> Polygon:
     """Return the region within `half` [mm] of the branches, its reentrant corners rounded."""
-    shape = shapely.union_all([buffer(LineString(b), half) for b in branches])
+    shape = shapely.union_all([grow_coarsely(LineString(b), half) for b in branches])
     q = ROUNDING * half
-    shape = buffer(buffer(shape, q), -q)
+    shape = closing_of(shape, q)
     return largest(shapely.intersection(shape, region))
 
 

@@ -18,7 +18,18 @@ from shapely import Polygon
 from .front_rules import NEW, WIDEST, FrontRules
 from .model import Floats
 from .region import polygons_of
-from .shaping import SLIVER, Region, are_within, buffer, clipped, grown, holes_of, welded
+from .shaping import (
+    SLIVER,
+    Region,
+    are_within,
+    clipped,
+    closing_of,
+    grow_coarsely,
+    grow_prepared,
+    holes_of,
+    opening_of,
+    welded,
+)
 
 #: A front goes no farther than the first beyond the last, over R: there the cutter reached over. Or
 #: as far as its widest step where that is farther, up to the second.
@@ -66,7 +77,7 @@ def _closed(
     if not shares:
         return _with_blunt_tips(moved, visited, rules)
     radius = shares[0] * rules.closing
-    closed = buffer(buffer(moved, radius), -radius)
+    closed = closing_of(moved, radius)
     fills = _doubtful_fills(closed, moved, visited, rules)
     if len(fills) == 0:
         return closed
@@ -79,7 +90,7 @@ def _closed(
         return closed
     pieces = [shapely.difference(closed, shapely.union_all(far))]
     for piece in far:
-        zone = buffer(piece, 0.01)
+        zone = grow_coarsely(piece, 0.01)
         x0, y0, x1, y1 = zone.bounds
         near = clipped(moved, (x0 - radius, y0 - radius, x1 + radius, y1 + radius))
         finer = _closed(near, visited, omega, rules, shares[1:])
@@ -93,7 +104,7 @@ def _with_blunt_tips(moved: Region, visited: Polygon, rules: FrontRules) -> Regi
     In a slim tip a lap turns back on the spot. Slits stay: filled they would make two plugs of one.
     """
     radius = TIP * rules.closing
-    closed = buffer(buffer(moved, radius), -radius)
+    closed = closing_of(moved, radius)
     fills = shapely.get_parts(shapely.difference(closed, moved))
     fills = fills[shapely.area(fills) > SLIVER]
     if len(fills) == 0:
@@ -122,7 +133,7 @@ def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
     if are_within(moved, sharp, NEW).all():
         return closed
     radius = CUSP * rules.cutter_radius
-    return welded([buffer(buffer(closed, -radius), radius), moved])
+    return welded([opening_of(closed, radius), moved])
 
 
 def _doubtful_fills(
@@ -137,7 +148,7 @@ def _doubtful_fills(
     if is_near and moved.length - closed.length < ARM * rules.cutter_radius:
         return np.empty(0, object)
     difference = shapely.difference(closed, moved)
-    if is_near and shapely.difference(difference, grown(visited, reach)).area < SLIVER:
+    if is_near and shapely.difference(difference, grow_prepared(visited, reach)).area < SLIVER:
         return np.empty(0, object)
     fills = shapely.get_parts(difference)
     return fills[shapely.area(fills) > SLIVER]
@@ -191,7 +202,7 @@ def _are_beyond(
         x0, y0, x1, y1 = fills[i].bounds
         window = shapely.box(x0 - reach, y0 - reach, x1 + reach, y1 + reach)
         around = (visited, edge) if corner[i] else (visited,)
-        near = [buffer(shapely.intersection(s, window), reach) for s in around]
+        near = [grow_coarsely(shapely.intersection(s, window), reach) for s in around]
         beyond[i] = shapely.difference(fills[i], shapely.union_all(near)).area > SLIVER
     return beyond
 

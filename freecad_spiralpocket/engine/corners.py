@@ -19,10 +19,11 @@ from .shaping import (
     SLIVER,
     Region,
     are_within,
-    buffer,
     clipped,
-    grown,
+    closing_of,
+    grow_prepared,
     largest,
+    opening_of,
     oriented,
     rim_points,
     thick_parts,
@@ -51,7 +52,7 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Itera
         shapely.prepare(visited)
         pieces = [_corner_step(piece, visited, omega, rules) for piece in rest]
         wider = shapely.union_all([visited, *pieces])
-        wider = oriented(largest(buffer(buffer(wider, 1e-4), -1e-4)))
+        wider = oriented(largest(closing_of(wider, 1e-4)))
         if wider.area - visited.area < 1e-4:
             return
         yield wider
@@ -61,7 +62,7 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Itera
 @lru_cache(maxsize=2 * len(CORNER_FILLETS))
 def _filleted(omega: Polygon, radius: float) -> Region:
     """Return a region with its corners rounded by a radius [mm]."""
-    return buffer(buffer(omega, -radius), radius)
+    return opening_of(omega, radius)
 
 
 def _corner_step(piece: Polygon, visited: Polygon, omega: Polygon, rules: FrontRules) -> Region:
@@ -87,4 +88,5 @@ def _corner_step(piece: Polygon, visited: Polygon, omega: Polygon, rules: FrontR
             if are_within(visited, rim, rules.stepover).all():
                 return taken
     # deeper than any fillet: one ordinary step into it
-    return shapely.intersection(piece, clipped(grown(visited, bite * rules.stepover), around))
+    wider = grow_prepared(visited, bite * rules.stepover)
+    return shapely.intersection(piece, clipped(wider, around))

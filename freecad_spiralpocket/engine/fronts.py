@@ -32,8 +32,9 @@ from .shaping import (
     SLIVER,
     Region,
     are_within,
-    buffer,
+    grow_coarsely,
     largest,
+    opening_of,
     oriented,
     welded,
     without_whiskers,
@@ -71,9 +72,9 @@ MAX_FRONTS = 2000
 
 def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
     """Open a region where it meets the walls of `omega`; its free tips stay."""
-    core = buffer(shape, -fillet)
-    opened = buffer(core, fillet)
-    kept = buffer(core, (1 + TIP_HEIGHT) * fillet)
+    core = grow_coarsely(shape, -fillet)
+    opened = grow_coarsely(core, fillet)
+    kept = grow_coarsely(core, (1 + TIP_HEIGHT) * fillet)
     shapely.prepare(kept)
     points = shapely.get_coordinates(shape)
     points = points[~shapely.contains_xy(kept, points)]
@@ -137,14 +138,14 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         x, y = hole[:, 0], hole[:, 1]
         is_inside_out = (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() >= 0
         # where only a slim arm of it is, and that outweighs the rest, the rest is left
-        if not is_inside_out or not buffer(Polygon(ring), -least_here).is_empty:
+        if not is_inside_out or not grow_coarsely(Polygon(ring), -least_here).is_empty:
             holes.append(hole)
     moved = Polygon(shell, holes)
     if not moved.is_valid:
         # where the moved ring crosses itself it leaves loops, which an opening removes
         loop = 0.25 * rules.cutter_radius
-        moved = buffer(buffer(shapely.make_valid(moved), -loop), loop)
-        moved = shapely.union(moved, buffer(visited, least))
+        moved = opening_of(shapely.make_valid(moved), loop)
+        moved = shapely.union(moved, grow_coarsely(visited, least))
     closed = without_kinks(moved, visited, omega, rules)
     grown = _filleted(shapely.intersection(closed, omega), rules.fillet, omega)
     front = shapely.simplify(largest(shapely.union(grown, visited)), 0.002)
@@ -163,13 +164,13 @@ def _without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> 
         if not omega.contains(hole):
             kept.append(ring)
             continue
-        holding = shapely.intersection(buffer(buffer(hole, -idle), idle), hole)
+        holding = shapely.intersection(opening_of(hole, idle), hole)
         parts = [p for p in polygons_of(holding) if p.area > SLIVER]
         kept.extend(p.exterior for p in parts)
     return oriented(Polygon(visited.exterior, kept))
 
 
-def grow(
+def fronts_from(
     start: Polygon, omega: Polygon, rules: FrontRules, idle: Sequence[Polygon] = ()
 ) -> Iterator[Polygon]:
     """Yield the visited region after the entry and after each level of laps and strokes.
@@ -223,8 +224,8 @@ def _ribs(visited: Polygon, omega: Polygon, rules: FrontRules) -> float:
     for ring in visited.interiors:
         hole = Polygon(ring)
         if omega.contains(hole):
-            stock = buffer(hole, IDLE - rules.cutter_radius)
-            area += stock.area - buffer(buffer(stock, -thin), thin).area
+            stock = grow_coarsely(hole, IDLE - rules.cutter_radius)
+            area += stock.area - opening_of(stock, thin).area
     # along slopes and in corners the opening takes a little too
     return area
 

@@ -23,7 +23,7 @@ from .branches import smoothed
 from .floor import Slot
 from .graphs import spanning_tree
 from .model import PocketRequest
-from .shaping import buffer, oriented
+from .shaping import grow_coarsely, oriented
 from .skeleton import Edges, Skeleton, peel
 from .starts import slot_round
 
@@ -57,7 +57,7 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
     ridges = _ridges(axis)
     if axis.clearance.max(initial=0.0) < radius:
         return None  # once round such a narrow region all of it is cut
-    inner = buffer(region, -OFF * stepover)
+    inner = grow_coarsely(region, -OFF * stepover)
     for half in HALF_WIDTHS:
         wide = half * request.tool_diameter
         edges = _parted(axis, ridges, 2 * wide + PARTED * stepover)
@@ -70,7 +70,7 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
         ]
         if sum(branch.length for branch in branches) < SHORTEST * radius:
             return None
-        shape = shapely.union_all([buffer(branch, wide) for branch in branches])
+        shape = shapely.union_all([grow_coarsely(branch, wide) for branch in branches])
         start = slot_round(inner, shape, request)
         if start is not None and isinstance(start.entry, Slot) and not start.visited.interiors:
             return _smoothed(Polygon(start.entry.ring), inner, request)
@@ -79,12 +79,12 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
 
 def _smoothed(slot: Polygon, inner: Polygon, request: PocketRequest) -> Polygon:
     """Return a slot with its corners rounded, as far as it keeps in one piece and off walls."""
-    fence = buffer(inner, OFF / 2 * request.cutting.stepover)
+    fence = grow_coarsely(inner, OFF / 2 * request.cutting.stepover)
     for share in ROUNDINGS:
         q = share * request.cutter_radius
-        shape = buffer(buffer(buffer(slot, q), -2 * q), q)
+        shape = grow_coarsely(grow_coarsely(grow_coarsely(slot, q), -2 * q), q)
         whole = isinstance(shape, Polygon) and not shape.interiors
-        if whole and fence.covers(shape) and buffer(shape, q).covers(slot):
+        if whole and fence.covers(shape) and grow_coarsely(shape, q).covers(slot):
             return oriented(shape)
     return oriented(slot)
 

@@ -10,7 +10,7 @@ from shapely import LineString, Polygon
 
 from .graphs import delaunay_triangles, spanning_tree
 from .model import Floats
-from .shaping import CRACK, buffer, largest, thick_parts
+from .shaping import CRACK, closing_of, grow_coarsely, largest, thick_parts
 
 #: Notches that a ring round islands leaves deeper than this over R are taken into it, with the
 #: first of these roundings that leaves no more than that [mm]; seams are closed by so much [mm].
@@ -45,15 +45,15 @@ def into_notches(
     left = thick_parts(shapely.difference(visited, shape))
     left = left[~shapely.dwithin(left, shapely.union_all(corridors), CRACK)]
     deep = left[_depths(left, visited) > NOTCH * radius]
-    islands = shapely.union_all([buffer(Polygon(r), NOTCH_SLACK) for r in region.interiors])
+    islands = shapely.union_all([grow_coarsely(Polygon(r), NOTCH_SLACK) for r in region.interiors])
     for finer in (r for r in radius * np.array(NOTCH_ROUNDINGS) if r < rounding):
         if len(deep) == 0:
             break
-        there = buffer(shapely.union_all(deep), CRACK)
-        closed = buffer(buffer(islands, finer), -finer)
+        there = grow_coarsely(shapely.union_all(deep), CRACK)
+        closed = closing_of(islands, finer)
         outside = shapely.difference(there, closed)
         visited = shapely.difference(visited, outside)
-        visited = Polygon(largest(buffer(buffer(visited, SEAM), -SEAM)).exterior)
+        visited = Polygon(largest(closing_of(visited, SEAM)).exterior)
         left = shapely.get_parts(shapely.difference(shapely.intersection(visited, there), islands))
         deep = left[_depths(left, visited) > NOTCH_SLACK]
     return visited

@@ -10,7 +10,7 @@ from shapely import LineString, Polygon
 from .model import Floats
 from .points import distances_along
 from .polyline import points_at
-from .shaping import buffer
+from .shaping import closing_of
 
 
 def straightest(ring: LineString, window: float, radius: float) -> float:
@@ -21,7 +21,7 @@ def straightest(ring: LineString, window: float, radius: float) -> float:
     at = np.linspace(0, ring.length, 200, endpoint=False)
     bent = bends(ring, at, window)
     best = int(np.argmin(bent))
-    around = buffer(buffer(Polygon(ring), 2 * radius), -2 * radius).boundary
+    around = closing_of(Polygon(ring), 2 * radius).boundary
     places = shapely.points(points_at(ring, at))
     if around.distance(places[best]) > radius:
         bent = np.where(shapely.dwithin(places, around, radius), bent, np.inf)

@@ -15,7 +15,7 @@ from shapely import Polygon
 from .model import PocketRequest
 from .open_sides import HAIR, needed_for
 from .region import grow, polygons_of
-from .shaping import buffer
+from .shaping import grow_coarsely, opening_of
 
 #: A piece is large if a disc of this radius fits into it, over R, as into every channel,
 LARGE = 0.98
@@ -26,7 +26,7 @@ TRIED = 12
 def is_left(region: Polygon, request: PocketRequest) -> bool:
     """Return whether more than hairlines are left to cut from a cutter-center region."""
     wanted = request.to_clear(grow(region, request.cutter_radius))
-    return not buffer(wanted, -HAIR).is_empty
+    return not grow_coarsely(wanted, -HAIR).is_empty
 
 
 def large_pieces(region: Polygon, request: PocketRequest) -> list[Polygon]:
@@ -39,10 +39,10 @@ def large_pieces(region: Polygon, request: PocketRequest) -> list[Polygon]:
     """
     radius = request.cutter_radius
     wanted = request.to_clear(grow(region, radius))
-    pieces = polygons_of(buffer(buffer(wanted, -HAIR), HAIR))  # hairlines do not join them
+    pieces = polygons_of(opening_of(wanted, HAIR))  # hairlines do not join them
     if len(pieces) < 2:  # from within it has been tried
         return []
-    large = [piece for piece in pieces if not buffer(piece, -LARGE * radius).is_empty]
+    large = [piece for piece in pieces if not grow_coarsely(piece, -LARGE * radius).is_empty]
     found = [needed_for(piece, piece, region, radius) for piece in large[:TRIED]]
     return [inner for inner in found if inner is not None]
 

@@ -22,7 +22,7 @@ from .errors import CutterDoesNotFitError
 from .floor import Plunge
 from .model import Floats, PocketRequest
 from .region import grow, polygons_of
-from .shaping import Region, buffer, largest, oriented, welded
+from .shaping import Region, grow_coarsely, largest, oriented, welded
 from .starts import Start, candidates
 from .strokes import Stroke
 
@@ -67,12 +67,12 @@ def needed_for(ground: Region, wanted: Region, region: Polygon, radius: float) -
     None if it is in several parts.
     """
     for share in OVERHANGS:
-        part = shapely.intersection(region, buffer(ground, share * radius))
+        part = shapely.intersection(region, grow_coarsely(ground, share * radius))
         if part.is_empty:
             continue
         inner = largest(part)
         left = shapely.difference(wanted, grow(inner, radius))
-        if buffer(left, -HAIR).is_empty:
+        if grow_coarsely(left, -HAIR).is_empty:
             return inner
     return None
 
@@ -107,7 +107,7 @@ def strokes_in_stock(strokes: Sequence[Stroke], idle: Sequence[Polygon]) -> list
     """Return strokes without what of them lies where nothing is cut."""
     if not idle:
         return list(strokes)
-    free = shapely.union_all([buffer(ground, ALONG) for ground in idle])
+    free = shapely.union_all([grow_coarsely(ground, ALONG) for ground in idle])
     kept = []
     for stroke in strokes:
         points = np.vstack([stroke.points, stroke.points[:1]]) if stroke.closed else stroke.points
@@ -125,7 +125,7 @@ def strokes_in_stock(strokes: Sequence[Stroke], idle: Sequence[Polygon]) -> list
 
 def strokes_within(strokes: Sequence[Stroke], region: Polygon) -> list[Stroke]:
     """Return strokes without what of their ends lies in the air beside the region."""
-    here = buffer(region, ALONG)
+    here = grow_coarsely(region, ALONG)
     shapely.prepare(here)
     kept = []
     for stroke in strokes:
@@ -156,7 +156,7 @@ def _from_air(
     sides = [
         side
         for side in polygons_of(shapely.difference(region, standing))
-        if not buffer(side, -ROOM * radius).is_empty
+        if not grow_coarsely(side, -ROOM * radius).is_empty
     ]
     beyond = polygons_of(shapely.difference(region, inner))
     starts: list[tuple[Start, Polygon]] = []
@@ -166,10 +166,10 @@ def _from_air(
         elsewhere = [other for other in beyond if not other.intersects(side)]
         within = oriented(largest(shapely.difference(region, shapely.union_all(elsewhere))))
         if within.intersects(side) and (asked is None or side.intersects(asked)):
-            air = shapely.difference(buffer(side, MARGIN * radius), solid)
+            air = shapely.difference(grow_coarsely(side, MARGIN * radius), solid)
             air = shapely.difference(air, shapely.difference(within, side))
             others = [shapely.intersection(o, within) for o in sides if o is not side]
-            idle = [largest(o) for o in others if not buffer(o, -ROOM * radius).is_empty]
+            idle = [largest(o) for o in others if not grow_coarsely(o, -ROOM * radius).is_empty]
             starts.append((_from(side, within, air, idle, radius, asked), within))
         if len(starts) == TRIED:
             break
@@ -186,7 +186,7 @@ def _from(
 ) -> Start:
     """Return the start from a side of a region, the air about which fronts take as visited."""
     first, heading = _beginning(side, within)
-    near = buffer(side, -ROOM * radius)
+    near = grow_coarsely(side, -ROOM * radius)
     target = Point(first - BEFORE * radius * heading) if asked is None else asked
     place = np.array(shapely.shortest_line(near, target).coords[0])
     visited, omega = (oriented(largest(welded([shape, air]))) for shape in (side, within))
@@ -196,7 +196,7 @@ def _from(
 
 def _beginning(side: Polygon, within: Polygon) -> tuple[Floats, Floats]:
     """Return where the first stroke from a side begins, climb, and in which direction."""
-    wall = buffer(within.boundary, 2 * CLEAR)
+    wall = grow_coarsely(within.boundary, 2 * CLEAR)
     edges = [shapely.difference(ring, wall) for ring in (side.exterior, *side.interiors)]
     lines = [shapely.line_merge(e) if e.geom_type[:5] == "Multi" else e for e in edges]
     pieces = [p for line in lines for p in shapely.get_parts(line) if p.length > 0]

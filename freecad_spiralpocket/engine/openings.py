@@ -21,7 +21,7 @@ from .floor import Helix, Slot
 from .joints import Joint, joined
 from .model import PocketRequest
 from .polyline import closed_line, ring_from
-from .shaping import buffer, oriented
+from .shaping import grow_coarsely, oriented
 from .skeleton import Skeleton
 from .starts import HALF_WIDTHS, Start, slot_round
 
@@ -70,8 +70,8 @@ def open_centers(region: Polygon, axis: Skeleton, request: PocketRequest) -> Ope
             if sum(c.curve.length for c in centers) == 0 and len(centers) < 2:
                 break
             joints = joined(axis, [c.nodes for c in centers])
-            shapes = [buffer(c.curve, half) for c in centers]
-            ways = buffer(_ways(axis, centers, joints), JOINT * request.tool_diameter)
+            shapes = [grow_coarsely(c.curve, half) for c in centers]
+            ways = grow_coarsely(_ways(axis, centers, joints), JOINT * request.tool_diameter)
             start = slot_round(region, shapely.union_all([*shapes, ways]), request)
             if start is not None and _opens(start, shapes, region):
                 start = _from_place(start, request)
@@ -120,7 +120,7 @@ def _open_point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Open
     radius = fit_helix_radius(region, place, request.cutter_radius, request.entry)
     laps = int(max(0.0, room - radius) / request.cutting.stepover + 1e-6)
     center = Center(Point(place), laps, nodes)
-    circle = oriented(buffer(center.curve, radius))
+    circle = oriented(grow_coarsely(center.curve, radius))
     points = np.asarray(circle.exterior.coords)[:-1]
     if request.start_point is not None:
         points = ring_from(points, np.array(request.start_point))[:-1]

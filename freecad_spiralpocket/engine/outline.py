@@ -22,7 +22,7 @@ from shapely import LineString, Polygon
 
 from .model import Floats
 from .region import polygons_of
-from .shaping import CRACK, Region, are_within, buffer, largest, oriented, rim_points
+from .shaping import CRACK, Region, are_within, grow_coarsely, largest, oriented, rim_points
 
 #: The slot rounds the wall's corners with at least the first of these radii, over R; with the
 #: second where the first leaves more than `CRUMB` but the second no more than `DONE` [mm]; and
@@ -75,7 +75,7 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
     within = shapely.intersection(parts[0], region)
     if not isinstance(within, Polygon) or len(within.interiors) != len(region.interiors):
         return None
-    plugs = buffer(parts[0], -WIDTH * radius)
+    plugs = grow_coarsely(parts[0], -WIDTH * radius)
     opened = shapely.difference(filled, plugs)
     if any(opened.intersects(Polygon(island)) for island in region.interiors):
         return None  # between an island and the wall there is no room for it
@@ -92,8 +92,8 @@ def _rounded(filled: Polygon, radius: float) -> Region:
     """Return a region without its sharp corners."""
 
     def opened(share: float) -> Region:
-        core = buffer(filled, -share * radius)
-        return shapely.intersection(buffer(core, share * radius), filled)
+        core = grow_coarsely(filled, -share * radius)
+        return shapely.intersection(grow_coarsely(core, share * radius), filled)
 
     widest, *finer = ROUNDINGS
     shape = opened(widest)
@@ -115,7 +115,7 @@ def _finer(shape: Region, fine: Region, corners: NDArray[np.object_]) -> Region:
     """Return a shape with some of its corners as in the finer one."""
     if len(corners) == 0:
         return shape
-    there = buffer(shapely.union_all(corners), CRACK)
+    there = grow_coarsely(shapely.union_all(corners), CRACK)
     return shapely.union(shape, shapely.intersection(fine, there))
 
 

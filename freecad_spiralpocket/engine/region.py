@@ -45,7 +45,10 @@ def quad_segments(radius: float, sag: float = BUFFER_SAG) -> int:
 def grow(
     shape: Polygon | MultiPolygon, distance: float, sag: float = BUFFER_SAG
 ) -> Polygon | MultiPolygon:
-    """Return `shape` grown by `distance` [mm] (shrunk if negative), arcs within `sag` [mm]."""
+    """Return `shape` grown by `distance` [mm] (shrunk if negative), arcs within `sag` [mm].
+
+    For what decides where walls are; fronts are grown by `shaping.grow_coarsely`.
+    """
     return shapely.buffer(shape, distance, quad_segs=quad_segments(distance, sag))
 
 

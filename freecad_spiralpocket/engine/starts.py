@@ -32,7 +32,7 @@ from .leaving import bends, straightest
 from .model import Floats, PocketRequest
 from .outline import outline_of
 from .polyline import closed_line, located, points_at
-from .shaping import buffer, largest, oriented
+from .shaping import grow_coarsely, largest, oriented
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
 from .spiral import BLEND, between
 
@@ -192,7 +192,7 @@ def _innermost(region: Polygon, axis: Skeleton) -> Floats:
 def _roomy(region: Polygon, axis: Skeleton, request: PocketRequest) -> Floats:
     """Return the place nearest to the start point that was asked for with room for a helix."""
     widest = float(region.boundary.distance(Point(_innermost(region, axis))))
-    roomy = buffer(region, -min(WIDEST * request.cutter_radius, 0.99 * widest))
+    roomy = grow_coarsely(region, -min(WIDEST * request.cutter_radius, 0.99 * widest))
     return np.array(shapely.shortest_line(roomy, Point(request.start_point)).coords[0])
 
 
@@ -227,7 +227,7 @@ def _has_loop(edges: Edges) -> bool:
 
 def _curve(region: Polygon, spine: shapely.Geometry, request: PocketRequest) -> Start | None:
     for half in HALF_WIDTHS:
-        start = slot_round(region, buffer(spine, half * request.tool_diameter), request)
+        start = slot_round(region, grow_coarsely(spine, half * request.tool_diameter), request)
         if start is not None:
             return start
     return None
@@ -288,7 +288,7 @@ def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketReques
 def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:
     """Return `shape` within `omega`, its reentrant curves at least of radius `q` [mm]."""
     bumps = 0.5 * q
-    shape = buffer(buffer(buffer(shape, q), -q - bumps), bumps)
+    shape = grow_coarsely(grow_coarsely(grow_coarsely(shape, q), -q - bumps), bumps)
     return largest(shapely.intersection(shape, omega))
 
 
@@ -355,12 +355,12 @@ def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
     """Return the ring round all islands, bridged along a shortest tree; None if it is no ring."""
     filled, radius = Polygon(region.exterior), request.cutter_radius
     # chords of the ring cut into round islands by about so much
-    islands = [buffer(Polygon(r), CHORD_SLACK) for r in region.interiors]
+    islands = [grow_coarsely(Polygon(r), CHORD_SLACK) for r in region.interiors]
     bridges = bridges_between(islands)
     if not all(filled.contains(b) for b in bridges):
         return None
     for half in HALF_WIDTHS:
-        corridors = [buffer(b, half * request.tool_diameter) for b in bridges]
+        corridors = [grow_coarsely(b, half * request.tool_diameter) for b in bridges]
         shape = largest(shapely.union_all([*islands, *corridors]))
         # a narrow channel between islands must not be filled: nothing would go through it
         for rounding in RING_ROUNDINGS:

@@ -13,7 +13,7 @@ from shapely import LineString, Polygon
 
 from .model import Floats
 from .polyline import closed_line, points_at
-from .shaping import Region, buffer
+from .shaping import Region, grow_coarsely
 from .spiral import (
     anywhere,
     chains_of,
@@ -250,9 +250,9 @@ def _taken_by(laps: Sequence[Stroke], fronts: Sequence[Polygon], radius: float) 
     if any(outermost.contains(island) for island in islands):
         return None
     left = [Polygon(ring) for ring in fronts[laps[-1].level].interiors]
-    if any(outermost.contains(h) and not buffer(h, -radius).is_empty for h in left):
+    if any(outermost.contains(h) and not grow_coarsely(h, -radius).is_empty for h in left):
         return None
-    stock = buffer(hole, -radius)
+    stock = grow_coarsely(hole, -radius)
     if any(hole.contains(h) and not outermost.contains(h) for h in (*islands, *left)):
         # other laps take the rest of that hole
         lines = shapely.multilinestrings([closed_line(lap.points) for lap in laps])

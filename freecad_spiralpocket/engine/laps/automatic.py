@@ -32,7 +32,7 @@ from ..estimates import (
 )
 from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
 from ..front_rules import WIDEST, FrontRules, rules_of
-from ..fronts import MAX_FRONTS, STRETCH, grow
+from ..fronts import MAX_FRONTS, STRETCH, fronts_from
 from ..leftovers import is_left, large_pieces, without
 from ..linking import Motion
 from ..model import Floats, PocketRequest, Tick
@@ -42,7 +42,7 @@ from ..passes import passes_of
 from ..promising import FEW, promising
 from ..region import polygons_of
 from ..sequence import in_better_sequence
-from ..shaping import buffer, largest, oriented, thick_parts
+from ..shaping import grow_coarsely, largest, oriented, thick_parts
 from ..spiral import between
 from ..starts import Start, candidates
 from ..stroke_runs import Run, runs_of, unit
@@ -100,7 +100,7 @@ def _piecewise(
             continue
         piece = _fastest(starts, inner, request, tick)
         if from_air:
-            here = buffer(inner, request.cutting.stepover)
+            here = grow_coarsely(inner, request.cutting.stepover)
             peeled = [s for s in best.steps if here.contains(LineString(s.points).centroid)]
             # in a channel strokes cannot hold the engagement
             toll = CHANNEL_TOLL if len(peeled) > CORNER_LEVELS else 1.0
@@ -194,7 +194,7 @@ def _searched(
 def _check_width(region: Polygon, request: PocketRequest) -> None:
     """Refuse at once what the fronts would find out after minutes."""
     widest = MAX_FRONTS * WIDEST * STRETCH * request.cutting.stepover
-    if not buffer(region, -widest).is_empty:
+    if not grow_coarsely(region, -widest).is_empty:
         raise _too_wide()
 
 
@@ -279,7 +279,7 @@ def _grown(
 def _levels(start: Start, rules: FrontRules) -> Iterator[tuple[Polygon, bool]]:
     """Yield the fronts of a start one after the other, and whether each only finishes corners."""
     front = start.visited
-    for front in grow(start.visited, start.omega, rules, start.idle):
+    for front in fronts_from(start.visited, start.omega, rules, start.idle):
         yield front, False
     for finer in finish_corners(front, start.omega, rules):
         yield finer, True

@@ -34,7 +34,7 @@ from ..errors import NotYetError
 from ..estimates import motion_of
 from ..floor import FloorPath
 from ..front_rules import rules_of
-from ..fronts import MAX_FRONTS, grow
+from ..fronts import MAX_FRONTS, fronts_from
 from ..joints import walk_over
 from ..model import Floats, PocketRequest, Tick
 from ..openings import Opening, open_centers
@@ -141,7 +141,7 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
             fronts.append(oriented(shapely.simplify(visited, 0.002)))
     turns = len(fronts) - 1
     rules = rules_of(request)
-    for front in islice(grow(fronts[-1], region, rules), 1, None):
+    for front in islice(fronts_from(fronts[-1], region, rules), 1, None):
         tick(0.4)
         fronts.append(front)
         if len(fronts) > turns + MAX_FRONTS:
