@@ -59,7 +59,9 @@ def test_links_take_less_time(nearest_first):
 
 def test_runs_join(nearest_first):
     here = nearest_first[2].here
-    for step in searched(*nearest_first):
+    steps = searched(*nearest_first)
+    assert any(step.link is not None for step in steps)
+    for step in steps:
         if step.link is not None:
             way = np.vstack([step.link, step.points]) if len(step.link) else step.points
             assert np.hypot(*(way[0] - here)) < 0.05
