@@ -14,7 +14,7 @@ import io
 import re
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -172,29 +172,33 @@ def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
     is_document = args.file.suffix.lower() == ".fcstd"
     source = _from_document(args.file, args.operation) if is_document else _from_program(args.file)
 
-    def pick(name: str, default: Any) -> Any:
-        given, found = getattr(args, name), getattr(source, name, None)
-        return given if given is not None else found if found is not None else default
-
-    args.diameter, args.spindle_speed = args.tool, args.spindle and args.spindle / 60
-    diameter = pick("diameter", None)
-    if diameter is None:
+    given = {
+        "diameter": args.tool,
+        "spindle_speed": args.spindle and args.spindle / 60,
+        "axial_depth": args.axial_depth,
+        "top": args.top,
+        "stepover": args.stepover,
+        "machine": args.machine,
+    }
+    source = replace(source, **{name: value for name, value in given.items() if value is not None})
+    if source.diameter is None:
         raise RequestError("The program does not say how wide the cutter is.", "Give --tool.")
-    top = pick("top", 0.0)
+    top = source.top or 0.0
     lowest = float(source.toolpath.points[:, 2].min())
-    depth = pick("axial_depth", top - lowest)
+    depth = top - lowest if source.axial_depth is None else source.axial_depth
     if not depth > 0:
         raise RequestError("The program never goes below the top of the stock.", "Give --top.")
-    stepover = pick("stepover", None)
-    limit = np.nan if stepover is None else engagement_angle(stepover, diameter / 2)
+    limit = np.nan
+    if source.stepover is not None:
+        limit = engagement_angle(source.stepover, source.diameter / 2)
     return source.toolpath, Setup(
-        cutter=Cutter(diameter, args.flutes, np.radians(args.helix)),
-        machine=machines.load(pick("machine", MACHINE), args.machines),
+        cutter=Cutter(source.diameter, args.flutes, np.radians(args.helix)),
+        machine=machines.load(source.machine or MACHINE, args.machines),
         material=MATERIALS[args.material],
-        spindle_speed=pick("spindle_speed", SPINDLE_SPEED / 60),
+        spindle_speed=source.spindle_speed or SPINDLE_SPEED / 60,
         axial_depth=depth,
         top=top,
-        stock=getattr(source, "stock", None),
+        stock=source.stock,
         engagement_limit=limit,
         climb=source.climb and not args.conventional,
     )
