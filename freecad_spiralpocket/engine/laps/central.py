@@ -35,7 +35,6 @@ from ..floor import FloorPath, Helix
 from ..machine import machine_of
 from ..model import Floats, PocketRequest, Tick
 from ..polyline import ring_from, turning_samples
-from ..region import grow, polygons_of
 from ..splines import (
     periodic_beziers,
     periodic_controls,
@@ -45,7 +44,7 @@ from ..splines import (
 )
 from ..starshape import deepest_center
 from ..timing import polyline_seconds
-from .closing import closing_passes, corner_fillet, wall_inset
+from .closing import closing_passes, corner_fillet, rounded_inside, wall_inset
 
 #: C, the end of the circular spiral, in the order tried: the paper's best first.
 RATIOS = (0.55, 0.5, 0.6, 0.45, 0.65, 0.4, 0.7, 0.3, 0.8)
@@ -166,7 +165,7 @@ def wall_spline(region: Polygon, center: Floats, fillet: float) -> tuple[Floats,
         If no spline keeps inside.
     """
     inset = wall_inset(region.boundary.distance(Point(center)))
-    rounded = polygons_of(grow(grow(region, -fillet - inset), fillet))[0]
+    rounded = rounded_inside(region, fillet, inset)
     ring = ring_from(np.array(rounded.exterior.coords)[:-1], center, toward=(1.0, 0.0))
     for halving in range(HALVINGS):
         share = 0.5**halving

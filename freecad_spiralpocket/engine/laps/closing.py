@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a spiral ends: a closing lap along the wall, and off the wall on an arc.
+"""What spirals make of the wall: its corners rounded, at the end a lap along it, and off on an arc.
 
 The last turn of a spiral comes to the wall at its end only; the lap takes the wedge
 that is left, and the corners that the laps rounded off.
@@ -15,7 +15,7 @@ from ..floor import Pass
 from ..linking import come_to_wall, leave_wall
 from ..model import Floats, PocketRequest
 from ..polyline import ring_from, simplified
-from ..region import grow
+from ..region import grow, polygons_of
 from ..toolpath import Role
 
 #: Fillet radii of the rounded wall tried, over the step-over.
@@ -55,6 +55,25 @@ def corner_fillet(region: Polygon, stepover: float) -> float:
         if shapely.dwithin(opened, corners, CORNER_BITE * stepover).all():
             return share * stepover
     return FILLETS[-1] * stepover
+
+
+def rounded_inside(region: Polygon, fillet: float, inset: float) -> Polygon:
+    """Return what lies farther inside of a region than `inset`, convex corners rounded.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+    fillet : float
+        Radius of its corners [mm].
+    inset : float
+        [mm]
+
+    Returns
+    -------
+    shapely.Polygon
+        The largest, where that breaks the region into several.
+    """
+    return polygons_of(grow(grow(region, -fillet - inset), fillet))[0]
 
 
 def closing_passes(

@@ -34,7 +34,6 @@ from ..floor import FloorPath, Helix, Slot
 from ..inner_curves import Spine, axis_spines, is_compact, point_spine
 from ..model import Floats, PocketRequest, Tick
 from ..polyline import closed_line, ring_from
-from ..region import grow, polygons_of
 from ..splines import (
     join_c2,
     periodic_beziers,
@@ -43,7 +42,7 @@ from ..splines import (
     spiral_beziers,
 )
 from ..starts import leaves_no_post, slot_bite
-from .closing import closing_passes, wall_inset
+from .closing import closing_passes, rounded_inside, wall_inset
 
 #: Fillet radius of the rounded wall over the step-over at first; halved while it takes more than
 #: `DEEPEST` off a corner, or anything off a neck.
@@ -232,7 +231,7 @@ def rounded_wall(
     fillet, inset = min(ROUNDING * stepover, 0.5 * spine.room), wall_inset(spine.room)
     corners = shapely.points(np.array(region.exterior.coords))
     for _ in range(HALVINGS):
-        rounded = polygons_of(grow(grow(region, -fillet - inset), fillet))[0]
+        rounded = rounded_inside(region, fillet, inset)
         shapely.prepare(rounded)
         if shapely.dwithin(rounded, corners, DEEPEST * stepover + inset).all():
             break
