@@ -55,6 +55,7 @@ class Watched:
 
     def __init__(self, monkeypatch, meddle=lambda process: None):
         self.begun = self.planned = 0
+        self._until = time.monotonic() + 60
         original = crew._Helper._has_planned
 
         def has_planned(helper, process, number):
@@ -67,10 +68,9 @@ class Watched:
         monkeypatch.setattr(crew._Helper, "_has_planned", has_planned)
 
     def progress(self, fraction, stage):
-        """Wait, as the tests' pockets are small, for a helper to have begun one."""
+        """Wait, as the pockets are small, for a helper to have begun one; a minute in all."""
         assert 0.0 <= fraction <= 1.0
-        until = time.monotonic() + 60
-        while not self.begun and time.monotonic() < until:
+        while not self.begun and time.monotonic() < self._until:
             time.sleep(0.01)
         return False
 
