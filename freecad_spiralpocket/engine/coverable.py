@@ -28,8 +28,9 @@ from .polyline import points_at
 from .region import polygons_of
 from .skeleton import Skeleton, longest_route
 
-#: Centers are smoothed over these lengths, over R: the first that costs no lap. Laps on the inside
-#: of a bend have a kink where it is tighter than their distance.
+#: Centers are smoothed over these lengths, over R: the first that costs no lap, and where there is
+#: room for none, no distance to the walls. Laps on the inside of a bend have a kink where it is
+#: tighter than their distance.
 SMOOTHINGS = (6.0, 4.0, 2.5, 1.5, 1.0, 0.6, 0.3, 0.0)
 #: A center shorter than this, over R, is a point.
 POINT = 1.0
@@ -193,10 +194,12 @@ def _center(
         place = Point(axis.nodes[widest])
         return Center(place, laps_about(place), nodes)
     raw = LineString(axis.nodes[nodes])
-    wanted = laps_about(raw)
+    # in channels without laps it keeps in the middle too: what its slot leaves takes strokes
+    room = float(shapely.distance(wall, raw))
+    kept = min(room, half_width + laps_about(raw) * stepover) - 1e-6 * stepover
     for smoothing in SMOOTHINGS:
         curve = _smoothed(raw, smoothing * radius)
-        if laps_about(curve) >= wanted:
+        if not shapely.dwithin(wall, curve, kept):
             break
     return Center(curve, laps_about(curve), nodes)
 

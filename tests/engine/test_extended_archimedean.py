@@ -189,3 +189,13 @@ def test_no_spiral_closes_round_an_island():
     island = Polygon(region.interiors[0])
     for spiral in layout.spirals:
         assert not any(within.intersects(island.buffer(-0.1)) for within in spiral.within)
+
+
+@pytest.mark.parametrize("width", [7.6, 8.8])
+def test_bent_channel_without_room_for_laps_is_cut_by_its_slot(width):
+    line = LineString([(0, 0), (30, 0), (30, 14), (60, 14), (60, 0), (90, 0)])
+    channel = line.buffer(width / 2, join_style="mitre", cap_style="square")
+    path = plan(make_request(channel, strategy=Strategy.EXTENDED_ARCHIMEDEAN))
+    # a center that left the middle would leave stock all along, a stroke across for each step
+    assert path.report.over_limit_share < 0.01
+    assert path.report.time < 30
