@@ -90,7 +90,8 @@ def maximal_centers(
         return centers
     left = np.ones(len(axis.nodes), bool)
     points = shapely.points(axis.nodes)
-    rest = shapely.simplify(region, 0.1)
+    rest, wall = shapely.simplify(region, 0.1), region.boundary
+    shapely.prepare(wall)
     offsets = _offsets(axis, half_width, stepover)
     while left.any():
         found = _maximal(axis, left, offsets)
@@ -98,7 +99,7 @@ def maximal_centers(
             break
         nodes, offset = found
         nodes = _without_loop(axis, nodes, offset + radius)
-        center = _center(region, axis, nodes, half_width, stepover, radius)
+        center = _center(wall, axis, nodes, half_width, stepover, radius)
         reach = max(half_width + center.laps * stepover, offset, APART * radius)
         shape = shapely.intersection(shapely.buffer(center.curve, reach, quad_segs=8), rest)
         if not centers or _is_worth_it(axis, center, shape.area / region.area):
@@ -174,34 +175,42 @@ def _without_loop(axis: Skeleton, nodes: NDArray[np.intp], distance: float) -> N
 
 
 def _center(
-    region: Polygon,
+    wall: shapely.Geometry,
     axis: Skeleton,
     nodes: NDArray[np.intp],
     half_width: float,
     stepover: float,
     radius: float,
 ) -> Center:
-    """Return the center along nodes, as smooth as it can be without costing a lap."""
-    wall = region.boundary
-    shapely.prepare(wall)
+    """Return the center along nodes, as smooth as it can be without costing a lap.
 
-    def laps_about(curve: LineString | Point) -> int:
-        room = float(shapely.distance(wall, curve)) - half_width
-        return max(0, int(room / stepover + 1e-6))
+    Whether a prepared `wall` is near is told in a tenth of the time of measuring how near it is.
+    """
+
+    def is_off(curve: LineString | Point, distance: float) -> bool:
+        return not shapely.dwithin(wall, curve, distance - 1e-6 * stepover)
+
+    def laps_about(curve: LineString | Point, least: int = 0) -> int:
+        laps = least
+        while is_off(curve, half_width + (laps + 1) * stepover):
+            laps += 1
+        return laps
 
     widest = nodes[int(np.argmax(axis.clearance[nodes]))]
     if _length(axis.nodes[nodes]) < POINT * radius:
         place = Point(axis.nodes[widest])
         return Center(place, laps_about(place), nodes)
     raw = LineString(axis.nodes[nodes])
-    # in channels without laps it keeps in the middle too: what its slot leaves takes strokes
-    room = float(shapely.distance(wall, raw))
-    kept = min(room, half_width + laps_about(raw) * stepover) - 1e-6 * stepover
+    laps = laps_about(raw)
+    kept = half_width + laps * stepover
+    if laps == 0 and not is_off(raw, half_width):
+        # it keeps in the middle of channels: what its slot leaves there takes strokes
+        kept = float(shapely.distance(wall, raw))
     for smoothing in SMOOTHINGS:
         curve = _smoothed(raw, smoothing * radius)
-        if not shapely.dwithin(wall, curve, kept):
+        if is_off(curve, kept):
             break
-    return Center(curve, laps_about(curve), nodes)
+    return Center(curve, laps_about(curve, laps), nodes)
 
 
 def _smoothed(raw: LineString, width: float) -> LineString:
