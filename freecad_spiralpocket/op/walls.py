@@ -178,9 +178,7 @@ class Walls:
                 faces = over(self._floor.solid.Faces, free, z)
                 inside = (f for f in faces if f.hashCode() not in known)
                 rings = [*around, *section(inside, z, self._sag, free)]
-                islands = [p for r in rings if signed_area(r) < 0 for p in polygons_in(r)]
-                solid = shapely.union_all(islands)
-                free = shapely.difference(free, solid)
+                free = shapely.difference(free, _islands(rings, free))
         above = filter(self._looks_down, over(self._floor.solid.Faces, free, z))
         free = shapely.difference(free, shadow(map(self._triangles, above), z))
         parts = [p for p in polygons_of(free) if p.intersects(self._outline)]
@@ -214,6 +212,15 @@ class Walls:
         parts = polygons_of(shapely.difference(free, shapely.union_all(posts)))
         inside = max(parts, key=lambda p: p.intersection(self._outline).area)
         return None if inside.intersects(outside.exterior) else inside
+
+
+def _islands(rings: list[np.ndarray], free: Polygon) -> shapely.Geometry:
+    """Return what stands within the rings of a section that may be islands in free ground.
+
+    The part's own outside is such a ring too, and all around the pocket.
+    """
+    inside = [p for r in rings if signed_area(r) < 0 for p in polygons_in(r)]
+    return shapely.union_all([p for p in inside if p.area < free.area])
 
 
 def _fence(floor: Floor, sag: float) -> shapely.Geometry:

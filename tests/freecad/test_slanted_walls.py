@@ -217,6 +217,34 @@ def test_holes_in_the_floor_are_no_islands(doc):
     assert all(not section.pocket.interiors for section in op.Proxy.plans[0].request.sections)
 
 
+def turned_ledge():
+    """Return a ledge all around whose part's own sides lie over the pocket by their boxes."""
+    shape = stepped_block()
+    shape.rotate(Vector(), Vector(0, 0, 1), 37)
+    return shape
+
+
+def slanted_disc():
+    return slanted_block((10, 10, 10, 10), DEPTH, 40.0, 30.0, 6.0).common(
+        Part.makeCylinder(27, 40, Vector(20, 15, -30))
+    )
+
+
+def round_bar():
+    """Return a lying bar with a pocket, whose walls end on the round."""
+    bar = Part.makeCylinder(25, 100, Vector(-30, 15, -22), Vector(1, 0, 0))
+    floor = area(rectangle(40, 24, 5, 0, 3))
+    floor.translate(Vector(0, 0, -DEPTH))
+    return bar.cut(floor.extrude(Vector(0, 0, 2 * DEPTH)))
+
+
+@pytest.mark.parametrize("shape", [turned_ledge, slanted_disc, round_bar])
+def test_the_parts_own_outside_is_no_island(doc, shape):
+    solid = shape()
+    op = cut(doc, solid, -DEPTH, diameter=6.0, StepDown=2.0)
+    assert op.UncutArea < 0.05 and len(gouges_of(op, solid)) == 0
+
+
 def test_a_slanted_pocket_open_at_a_side_stays_within_its_floor_there(doc):
     shape = slanted_block((20, 20, 20, 20), DEPTH, 40.0, 30.0, 6.0)
     shape = shape.cut(Part.makeBox(40, 60, 40, Vector(30, -15, -30)))
