@@ -107,6 +107,17 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
     return result
 
 
+def holes(floor: Floor, sag: float) -> list[Polygon]:
+    """Return the holes in a floor, from whose rim no wall rises, a sag too large or small."""
+    from shapely import Polygon
+
+    return [
+        Polygon(_ring(wire, sag, floor.label, counter_clockwise=True)).buffer(0)
+        for wire in floor.face.Wires
+        if not wire.isSame(floor.face.OuterWire) and not is_island(floor, wire)
+    ]
+
+
 def is_island(floor: Floor, wire: Any) -> bool:
     """Return whether a wall rises from the inner wire `wire`; else it is a hole in the floor."""
     return any(wall_rises(floor.neighbors, floor.face, e) for e in wire.Edges)

@@ -74,7 +74,7 @@ def section(
     """
     cut, place = list(faces), None
     for share in TRIES:
-        rings, broken = _rings(_chains(cut, z + share * ABOVE, sag))
+        rings, broken = _rings(cuts(cut, z + share * ABOVE, sag))
         place = _open_end(broken, within)
         if place is None:
             return [geometry.ring_points(ring) for ring in rings]
@@ -83,6 +83,24 @@ def section(
         "Repair the part (Part workbench, Check Geometry).",
         place,
     )
+
+
+def cuts(faces: Iterable[Any], z: float, sag: float) -> list[Pieces]:
+    """Return the edges in which the plane at `z` cuts faces, free ground on their left."""
+    chains = []
+    for face in faces:
+        if face.BoundBox.ZMin < z < face.BoundBox.ZMax:
+            try:
+                edges = [e for wire in face.slice(UP, z) for e in wire.Edges]
+                chains += [_sided(edge, face, sag) for edge in edges]
+            except (Part.OCCError, RuntimeError) as error:
+                place = face.CenterOfMass
+                raise GeometryError(
+                    f"The wall at {{at}} cannot be cut at Z{z:.2f}: {error}.",
+                    "Repair the part (Part workbench, Check Geometry).",
+                    (place.x, place.y),
+                ) from error
+    return chains
 
 
 def solid_section(solid: Any, z: float, sag: float) -> shapely.Geometry:
@@ -149,24 +167,6 @@ def _normals(face: Any) -> np.ndarray:
     shares = (np.arange(PLACES) + 0.5) / PLACES
     us, vs = (a + (b - a) * shares for a, b in ((u0, u1), (v0, v1)))
     return np.array([tuple(face.normalAt(u, v)) for u in us for v in vs])
-
-
-def _chains(faces: Iterable[Any], z: float, sag: float) -> list[Pieces]:
-    """Return the edges in which the plane at `z` cuts faces, free ground on their left."""
-    chains = []
-    for face in faces:
-        if face.BoundBox.ZMin < z < face.BoundBox.ZMax:
-            try:
-                edges = [e for wire in face.slice(UP, z) for e in wire.Edges]
-                chains += [_sided(edge, face, sag) for edge in edges]
-            except (Part.OCCError, RuntimeError) as error:
-                place = face.CenterOfMass
-                raise GeometryError(
-                    f"The wall at {{at}} cannot be cut at Z{z:.2f}: {error}.",
-                    "Repair the part (Part workbench, Check Geometry).",
-                    (place.x, place.y),
-                ) from error
-    return chains
 
 
 def _sided(edge: Any, face: Any, sag: float) -> Pieces:

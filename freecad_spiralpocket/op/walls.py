@@ -12,7 +12,7 @@ open_sides.py adds lies beyond it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -26,6 +26,7 @@ from .open_sides import OpenSides, lines_of
 from .selection import SAME_HEIGHT, Floor, wall_rises
 from .slices import (
     ABOVE,
+    cuts,
     is_level,
     is_vertical,
     looks_down,
@@ -67,11 +68,15 @@ class Walls:
         self._floor, self._sag, self._use_outline = floor, sag, use_outline
         self._neighbors = floor.neighbors
         self._outline = geometry.polygon(floor, sag, use_outline=use_outline)
+        posts = [] if use_outline else list(self._in_holes())
+        if posts:
+            standing = _islands(section(posts, floor.z, sag, self._outline), self._outline)
+            self._outline = polygons_of(shapely.difference(self._outline, standing))[0]
         self._free: dict[float, Polygon | None] = {}
         self._down: dict[int, bool] = {}
         self._tessellated: dict[int, np.ndarray] = {}
         self._plain: dict[float, bool] = {}
-        reached = list(self._reached())
+        reached = list(self._reached(posts))
         self._around = [self._neighbors.faces[face] for face in reached]
         self._heights = [self._neighbors.heights(face) for face in reached]
         self._fence = _fence(floor, sag) if floor.open_edges else None
@@ -118,8 +123,27 @@ class Walls:
                 found.append((z, place_on(face)))
         return found
 
-    def _reached(self) -> Iterator[int]:
-        """Yield the faces above the floor, from edge to edge; none beyond a level top."""
+    def _in_holes(self) -> Iterator[Any]:
+        """Yield the faces that rise past the floor within a hole in it, as those of a post do."""
+        floor = self._floor
+        holes = shapely.union_all(geometry.holes(floor, self._sag))
+        if holes.is_empty:
+            return
+        shapely.prepare(holes)
+        for face in over(floor.solid.Faces, holes, floor.z):
+            box = face.BoundBox
+            if not holes.intersects(shapely.box(box.XMin, box.YMin, box.XMax, box.YMax)):
+                continue
+            for chain in cuts([face], floor.z + ABOVE, self._sag):
+                if shapely.intersects_xy(holes, [piece.start for piece in chain]).any():
+                    yield face
+                    break
+
+    def _reached(self, posts: Sequence[Any]) -> Iterator[int]:
+        """Yield the faces above the floor, from edge to edge; none beyond a level top.
+
+        `posts` are faces that no edge of the floor leads to.
+        """
         floor, neighbors = self._floor, self._neighbors
         wires = [w for w in floor.face.Wires if self._is_wall(w)]
         seen = {neighbors.number(floor.face)}
@@ -130,6 +154,7 @@ class Walls:
             if wall_rises(neighbors, floor.face, edge)
             for face in neighbors.at(edge)
         ]
+        front += [number for post in posts if (number := neighbors.number(post)) is not None]
         while front:
             face = front.pop()
             if face in seen:

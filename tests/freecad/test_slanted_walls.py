@@ -217,6 +217,19 @@ def test_holes_in_the_floor_are_no_islands(doc):
     assert all(not section.pocket.interiors for section in op.Proxy.plans[0].request.sections)
 
 
+@pytest.mark.parametrize("high", [0.0, -2.0])
+def test_what_stands_up_through_a_hole_in_the_floor_is_an_island(doc, high):
+    shape = block(area(rectangle(50, 30, 5)), below=14.0)
+    shape = shape.cut(Part.makeCylinder(8, 40, Vector(25, 15, -DEPTH - 8)))
+    shape = shape.fuse(Part.makeCylinder(4, DEPTH + 8 + high, Vector(25, 15, -DEPTH - 8)))
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=3.0)
+    assert len(gouges_of(op, shape)) == 0
+    heights = Stock(Surface(shape), (0.5, 0.5, 49.5, 29.5), 0.7)
+    heights.cut(places(motion(op), 0.3), 3.0 + SCALLOP)
+    on_floor = heights.left[2:-2, 8:-8][heights.part[2:-2, 8:-8] == -DEPTH]
+    assert on_floor.max() < 0.01
+
+
 def turned_ledge():
     """Return a ledge all around whose part's own sides lie over the pocket by their boxes."""
     shape = stepped_block()
