@@ -57,6 +57,9 @@ def needed(region: Polygon, request: PocketRequest) -> Polygon:
     if ground.equals(request.pocket):
         return region
     wanted = request.to_clear(grow(region, request.cutter_radius))
+    # levels above low islands and slopes are wider than the floor
+    if not grow_coarsely(shapely.difference(wanted, ground), -HAIR).is_empty:
+        ground = shapely.union(ground, wanted)
     inner = needed_for(ground, wanted, region, request.cutter_radius)
     return region if inner is None else inner
 
