@@ -36,6 +36,8 @@ LEVEL = 1e-5
 PLACES = 9
 #: Overhanging faces become triangles this far off at most [mm].
 SHADOW_SAG = 5e-3
+#: A part of a triangle's normal up to this may be none of its face's.
+HARDLY_UP = 0.1
 
 UP = FreeCAD.Vector(0, 0, 1)
 
@@ -110,9 +112,24 @@ def solid_section(solid: Any, z: float, sag: float) -> shapely.Geometry:
 
 
 def triangles_of(face: Any) -> np.ndarray:
-    """Return a face as triangles, shape (n, 3, 3) [mm]; it takes long where it bends both ways."""
+    """Return what of a face looks down, or hardly up, as triangles, shape (n, 3, 3) [mm].
+
+    It takes long where the face bends both ways.
+    """
     corners, index = face.tessellate(SHADOW_SAG)
-    return np.array([tuple(c) for c in corners]).reshape(-1, 3)[np.array(index, int).reshape(-1, 3)]
+    points = np.array([tuple(c) for c in corners]).reshape(-1, 3)
+    triangles = points[np.array(index, int).reshape(-1, 3)]
+    a, b, c = np.moveaxis(triangles, 1, 0)
+    normals = np.cross(b - a, c - a)
+    sizes = np.linalg.norm(normals, axis=1)
+    if not sizes.any():
+        return triangles
+    # all triangles of a face run the same way round, whichever that is
+    largest = int(np.argmax(sizes))
+    middle = FreeCAD.Vector(*triangles[largest].mean(axis=0))
+    outward = np.array(tuple(face.normalAt(*face.Surface.parameter(middle))))
+    upward = normals[:, 2] * np.sign(normals[largest] @ outward)
+    return triangles[upward <= HARDLY_UP * sizes]
 
 
 def shadow(faces: Iterable[np.ndarray], z: float) -> shapely.Geometry:

@@ -256,6 +256,7 @@ def test_the_parts_own_outside_is_no_island(doc, shape):
     solid = shape()
     op = cut(doc, solid, -DEPTH, diameter=6.0, StepDown=2.0)
     assert op.UncutArea < 0.05 and len(gouges_of(op, solid)) == 0
+    assert not any("lean over" in notice for notice in op.Notices)
 
 
 def test_a_slanted_pocket_open_at_a_side_stays_within_its_floor_there(doc):
