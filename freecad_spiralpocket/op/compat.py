@@ -20,6 +20,8 @@ import FreeCAD
 import Part
 from PathScripts import PathUtils
 
+from .expressions import as_number
+
 try:
     import Path.Base.SetupSheet as PathSetupSheet
     import Path.Base.Util as PathUtil
@@ -266,4 +268,4 @@ def evaluate_constants(obj: Any, names: Sequence[str]) -> None:
                 getattr(v, "Value", v) for v in (getattr(obj, name), obj.evalExpression(text))
             )
             if new != old:
-                setattr(obj, name, type(old)(new) if isinstance(old, (int, float)) else new)
+                setattr(obj, name, as_number(old, new) if isinstance(old, (int, float)) else new)

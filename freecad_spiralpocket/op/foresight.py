@@ -11,14 +11,16 @@ document is only read.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import FreeCAD
 
-from ..engine.errors import RequestError, SpiralPocketError
+from ..engine.errors import SpiralPocketError
 from ..engine.model import Notice, PocketRequest
 from . import selection
 from .compat import parent_job
+from .expressions import as_number, told
 from .pockets import Pockets
 
 
@@ -35,32 +37,40 @@ class Foresight:
         obj.Proxy.check_setup(obj)
         self._obj = obj
         self._values = {k: FreeCAD.Units.Quantity(v, FreeCAD.Units.Length) for k, v in _now(obj)}
-        for name, expression in obj.ExpressionEngine:
+        for path, expression in obj.ExpressionEngine:
+            name, *part = path.lstrip(".").split(".")  # StartPoint.x, or .StartPoint.x
             if hasattr(obj, name):
-                self._values[name] = self._evaluated(name, expression)
+                self._values[name] = self._evaluated(name, part, expression)
 
     def __getattr__(self, name: str) -> Any:
         """Return a property's value to come."""
         values = self.__dict__["_values"]
         return values[name] if name in values else getattr(self.__dict__["_obj"], name)
 
-    def _evaluated(self, name: str, expression: str) -> Any:
-        """Return what an expression will give, in the property's own type."""
+    def _evaluated(self, name: str, part: Sequence[str], expression: str) -> Any:
+        """Return what an expression will make of a property, or of a part of one, in its type."""
 
         def value_of(match: re.Match[str]) -> str:
             value = self._values.get(match.group())
             return match.group() if value is None else f"({value.Value!r} mm)"
 
-        try:
+        with told(name):
             value = self._obj.evalExpression(re.sub(r"\b(?<!\.)Op[A-Z]\w*\b", value_of, expression))
-        except (RuntimeError, ValueError, ArithmeticError) as error:
-            raise RequestError(
-                f"The expression of {name} cannot be evaluated: {error}.", "Mend or remove it."
-            ) from error
-        now = getattr(self._obj, name)
+            return self._converted(name, part, getattr(value, "Value", value))
+
+    def _converted(self, name: str, part: Sequence[str], value: Any) -> Any:
+        """Return what a property is after FreeCAD has written a value to it, or to its part."""
+        now = getattr(self, name)
+        if part:
+            point = FreeCAD.Vector(now)
+            setattr(point, part[0], float(value))
+            return point
         if hasattr(now, "Unit"):
-            return FreeCAD.Units.Quantity(getattr(value, "Value", value), now.Unit)
-        return type(now)(getattr(value, "Value", value))
+            return FreeCAD.Units.Quantity(value, now.Unit)
+        if isinstance(now, str):  # of an enumeration, which takes a number as well
+            choices = self._obj.getEnumerationsOfProperty(name)
+            return choices[choices.index(value) if isinstance(value, str) else int(value)]
+        return as_number(now, value)
 
 
 class Foreseen(NamedTuple):

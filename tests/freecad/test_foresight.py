@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the preview plans is what the next recompute plans, and reading it changes nothing."""
 
+import FreeCAD
 import pytest
 from sample_parts import QUICK, small_job
 
@@ -49,9 +50,15 @@ def test_reading_touches_nothing(fresh):
         ("FinalDepth", "OpFinalDepth + 1 mm"),
         ("StockToLeave", "0.1 mm * 3"),
         ("SlowdownPercent", "50 + 5"),
+        ("StepOver", "33.7"),
+        ("StepOver", "33.5 mm / 1 mm"),
+        ("Strategy", "2"),
+        ("UseOutline", "1"),
+        ("StartPoint.x", "OpToolDiameter / 2"),
     ],
 )
 def test_with_an_expression(fresh, name, expression):
+    fresh.UseStartPoint, fresh.StartPoint = True, FreeCAD.Vector(9, 10, 0)
     fresh.setExpression(name, expression)
     foreseen, *_ = requests_of(fresh)
     fresh.Document.recompute()
