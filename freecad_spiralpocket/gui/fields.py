@@ -68,7 +68,7 @@ def set_property(obj: Any, name: str, value: Any) -> None:
 
 def expression(obj: Any, name: str) -> str | None:
     """Return the expression that rules a property, or None."""
-    return next((text for path, text in obj.ExpressionEngine if path == name), None)
+    return next((text for path, text in obj.ExpressionEngine if path.lstrip(".") == name), None)
 
 
 class _Bound:
@@ -80,6 +80,11 @@ class _Bound:
         self.widget, self.obj, self.name = widget, obj, name
         self.names = (name,)
         widget.setToolTip(translate("App::Property", obj.getDocumentationOfProperty(name)))
+
+    @property
+    def is_ruled(self) -> bool:
+        """Return whether an expression says what the value is."""
+        return expression(self.obj, self.name) is not None
 
     def show(self) -> None:
         """Show the property's value, without any signal."""
@@ -97,10 +102,12 @@ class Choice(_Bound):
 
     def _show(self) -> None:
         self.widget.setCurrentIndex(self.widget.findData(getattr(self.obj, self.name)))
+        self.widget.setEnabled(not self.is_ruled)
 
     def write(self) -> None:
         """Write the selected value."""
-        set_property(self.obj, self.name, self.widget.currentData())
+        if not self.is_ruled:
+            set_property(self.obj, self.name, self.widget.currentData())
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
@@ -118,11 +125,12 @@ class Number(_Bound):
 
     def _show(self) -> None:
         self._entry.show(getattr(self.obj, self.name))
+        self.widget.setEnabled(not self.is_ruled)
 
     def write(self) -> None:
         """Write the number, a whole one where the property is."""
         value = self._entry.entered()
-        if value is not None:
+        if value is not None and not self.is_ruled:
             is_whole = isinstance(getattr(self.obj, self.name), int)
             set_property(self.obj, self.name, round(value) if is_whole else value)
 
@@ -136,10 +144,12 @@ class Check(_Bound):
 
     def _show(self) -> None:
         self.widget.setChecked(getattr(self.obj, self.name))
+        self.widget.setEnabled(not self.is_ruled)
 
     def write(self) -> None:
         """Write the state."""
-        set_property(self.obj, self.name, self.widget.isChecked())
+        if not self.is_ruled:
+            set_property(self.obj, self.name, self.widget.isChecked())
 
     def signals(self) -> list[Any]:
         """Return the signals that tell of a change by the user."""
@@ -166,7 +176,7 @@ class Quantity(_Bound):
     def write(self) -> None:
         """Write the value, if another one was entered."""
         value = self._entry.entered()
-        if value is not None and not expression(self.obj, self.name):
+        if value is not None and not self.is_ruled:
             set_property(self.obj, self.name, value)
             if not self._entry.is_typing:
                 self._show()  # the arrows count in the box's unit
@@ -195,11 +205,12 @@ class LinkFeed(_Bound):
 
     def _show(self) -> None:
         self._entry.show(getattr(self.obj, self.name) / MINUTE)
+        self.widget.setEnabled(not self.is_ruled)
 
     def write(self) -> None:
         """Write the feed, if another one was entered."""
         value = self._entry.entered()
-        if value is not None:
+        if value is not None and not self.is_ruled:
             set_property(self.obj, self.name, value * MINUTE)
 
     def signals(self) -> list[Any]:

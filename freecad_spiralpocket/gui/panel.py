@@ -192,13 +192,16 @@ class OperationPage(PathOpGui.TaskPanelPage):
         form, strategy, mode = self.form, self.obj.Strategy, self.obj.FeedMode
         form.strategyNote.setText(strategy_note(strategy))
         form.strategyNote.setVisible(bool(form.strategyNote.text()))
-        form.finishingProfile.setEnabled(strategy != Strategy.AUTOMATIC.value)
-        for box, label, its_mode in (
-            (form.slowdownPercent, form.slowdownPercentLabel, FeedMode.LINEAR_SLOWDOWN),
-            (form.maxFeedRatio, form.maxFeedRatioLabel, FeedMode.CHIP_THICKNESS),
+        ruled = {path for path, _ in self.obj.ExpressionEngine}
+        is_used = strategy != Strategy.AUTOMATIC.value
+        form.finishingProfile.setEnabled(is_used and "FinishingProfile" not in ruled)
+        slowed = FeedMode.LINEAR_SLOWDOWN
+        for name, box, label, its_mode in (
+            ("SlowdownPercent", form.slowdownPercent, form.slowdownPercentLabel, slowed),
+            ("MaxFeedRatio", form.maxFeedRatio, form.maxFeedRatioLabel, FeedMode.CHIP_THICKNESS),
         ):
             is_used = mode == its_mode.value
-            box.setEnabled(is_used)
+            box.setEnabled(is_used and name not in ruled)
             box.setVisible(is_used)
             label.setVisible(is_used)
 
@@ -210,6 +213,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
         for field in self.fields:
             if prop in field.names or prop == "ExpressionEngine":
                 field.show()
+                self.enable_fields()
         if prop in INPUTS or prop == "ExpressionEngine":
             self.tell_changed()
 

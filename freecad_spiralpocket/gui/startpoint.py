@@ -11,7 +11,7 @@ import FreeCADGui
 
 from .compat import check_box_signal
 from .entries import Entry, lengths
-from .fields import set_property, silent
+from .fields import expression, set_property, silent
 
 translate = FreeCAD.Qt.translate
 
@@ -39,16 +39,18 @@ class StartPointField:
         """Show the point, without any signal."""
         with silent(self.check):
             self.check.setChecked(self.obj.UseStartPoint)
+        self.check.setEnabled(expression(self.obj, "UseStartPoint") is None)
         for axis, entry in self._entries.items():
             entry.show(getattr(self.obj.StartPoint, axis))
         self._enable()
 
     def write(self) -> None:
-        """Write the point, as far as something else was entered."""
-        set_property(self.obj, "UseStartPoint", self.check.isChecked())
+        """Write the point, as far as something else was entered and no expression rules it."""
+        if self.check.isEnabled():
+            set_property(self.obj, "UseStartPoint", self.check.isChecked())
         for axis, entry in self._entries.items():
             value = entry.entered()
-            if value is not None:
+            if value is not None and not self._is_ruled(axis):
                 point = FreeCAD.Vector(self.obj.StartPoint)
                 setattr(point, axis, value)
                 set_property(self.obj, "StartPoint", point)
@@ -72,8 +74,12 @@ class StartPointField:
                 entry.enter(getattr(place, axis))
 
     def _enable(self) -> None:
-        for box in self._boxes:
-            box.setEnabled(self.obj.UseStartPoint)
+        for axis, entry in self._entries.items():
+            entry.box.setEnabled(self.obj.UseStartPoint and not self._is_ruled(axis))
+
+    def _is_ruled(self, axis: str) -> bool:
+        """Return whether an expression says what a coordinate is."""
+        return expression(self.obj, f"StartPoint.{axis}") is not None
 
 
 def _picked(selection: Sequence[Any]) -> Any:

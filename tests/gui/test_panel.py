@@ -22,7 +22,7 @@ from window import (
 
 from freecad_spiralpocket.engine.model import Strategy
 from freecad_spiralpocket.gui.choices import STRATEGY_NOTES
-from freecad_spiralpocket.gui.fields import Check, Choice, Number
+from freecad_spiralpocket.gui.fields import Check, Choice, LinkFeed, Number, Quantity
 from freecad_spiralpocket.gui.panel import FIELDS
 from freecad_spiralpocket.op.properties import option_names
 
@@ -166,6 +166,32 @@ def test_expression_rules_the_step_over(operation):
     pump()
     assert widget("stepOverPercent").isEnabled()
     operation.MaxEngagement = 0
+
+
+@pytest.mark.parametrize(
+    ("box", "kind", "name", "text", "value"),
+    [
+        ("strategy", Choice, "Strategy", "2", "Extended Archimedean"),
+        ("useOutline", Check, "UseOutline", "1", True),
+        ("slowdownPercent", Number, "SlowdownPercent", "60", 60),
+        ("linkFeed", LinkFeed, "LinkFeed", "600", 10.0),
+        ("useStartPoint", Check, "UseStartPoint", "1", True),
+        ("startPointX", Quantity, "StartPoint.x", "9", 9.0),
+    ],
+)
+def test_what_an_expression_rules_cannot_be_entered(operation, box, kind, name, text, value):
+    operation.FeedMode, operation.UseStartPoint = "Linear slow-down", True
+    whole = name.partition(".")[0]
+    before = getattr(operation, whole)
+    assert widget(box).isEnabled()
+    operation.setExpression(name, text)
+    assert not widget(box).isEnabled()
+    operation.recompute()
+    assert shown(widget(box), kind) == pytest.approx(value)
+    operation.setExpression(name, None)
+    assert widget(box).isEnabled()
+    setattr(operation, whole, before)
+    operation.FeedMode, operation.UseStartPoint = "Constant", False
 
 
 def test_start_point_is_written(operation):
