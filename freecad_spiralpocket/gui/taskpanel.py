@@ -50,6 +50,14 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.form = [*pages, *page.boxes]
         forget_namesakes()
 
+    def setupUi(self) -> None:  # noqa: N802 - the name FreeCAD calls
+        """Write what expressions give, and fill the pages."""
+        obj, self.obj = self.obj, _WithWholeProperties(self.obj)
+        try:
+            super().setupUi()
+        finally:
+            self.obj = obj
+
     def modifyStandardButtons(self, buttonBox: Any) -> None:  # noqa: N802, N803
         """Take the buttons over."""
         super().modifyStandardButtons(renamed(buttonBox))
@@ -202,6 +210,21 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.view_provider.onDelete(self.obj.ViewObject)
         self.document.removeObject(self.name)
         self.document.commitTransaction()
+
+
+class _WithWholeProperties:
+    """Stands in for an operation without the expressions of parts of properties.
+
+    FreeCAD takes their paths (StartPoint.x) for names of properties.
+    """
+
+    def __init__(self, obj: Any) -> None:
+        self._obj = obj
+        self.ExpressionEngine = [each for each in obj.ExpressionEngine if hasattr(obj, each[0])]
+
+    def __getattr__(self, name: str) -> Any:
+        """Return what the operation has."""
+        return getattr(self._obj, name)
 
 
 def _touched(document: Any) -> set[Any]:

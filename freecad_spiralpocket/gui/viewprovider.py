@@ -17,9 +17,10 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore
 
-from ..engine.errors import SetupError
+from ..engine.errors import SetupError, SpiralPocketError
 from ..op import presets
 from ..op.compat import parent_job
+from ..op.expressions import check_expressions
 from . import messages, progress
 from .command import ICON
 from .compat import INACTIVE_ICON, PathOpGui, PathSelection
@@ -74,7 +75,8 @@ class ViewProvider(PathOpGui.ViewProvider):
         obj = (vobj or self.vobj).Object
         try:
             _require_job(obj)
-        except SetupError as error:
+            check_expressions(obj)  # FreeCAD's pages raise, and leave the rest of the panel empty
+        except SpiralPocketError as error:
             messages.show(error)
             return False
         # What is left of earlier panels still names their widgets, which are gone; PySide would

@@ -156,3 +156,19 @@ def test_operation_outside_a_job_cannot_be_edited(job, floor):
         edit(operation)
     assert len(answer.texts) == 1 and "job" in answer.texts[0]
     assert not is_panel_open()
+
+
+@pytest.mark.parametrize("name", ["StockToLeave", "StepDown", "SlowdownPercent"])
+def test_operation_with_a_broken_expression_cannot_be_edited(doc, job, floor, name):
+    select(floor)
+    press_toolbar_button()
+    press(OK)
+    (operation,) = job.Operations.Group
+    other = doc.addObject("App::FeaturePython", "Other")
+    other.addProperty("App::PropertyFloat", "Size")
+    operation.setExpression(name, "Other.Size")
+    other.removeProperty("Size")
+    with answered() as answer:
+        edit(operation)
+    assert len(answer.texts) == 1 and "Other.Size" in answer.texts[0]
+    assert not is_panel_open()

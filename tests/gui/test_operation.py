@@ -238,6 +238,18 @@ def test_closed_panel_leaves_no_names_for_what_is_gone(operation, close):
     assert FreeCAD.getActiveTransaction() is None
 
 
+def test_operation_can_be_edited_with_an_expression_for_a_part_of_a_property(operation):
+    operation.UseStartPoint = True
+    operation.setExpression("StartPoint.x", "OpToolDiameter * 3")
+    operation.Document.recompute()
+    edit(operation)
+    assert not widget("startPointX").isEnabled() and widget("toolController").currentText()
+    widget("startPointY").setProperty("rawValue", 12.0)
+    press(OK)
+    assert not is_panel_open()
+    assert tuple(operation.StartPoint) == (18.0, 12.0, 0.0)
+
+
 def test_apply_is_enabled_by_a_change_only(operation):
     edit(operation)
     assert not panel_button(APPLY).isEnabled()
