@@ -140,12 +140,13 @@ class Comparison:
             )
             return
         request = self._requests[index]
+        machine = translate("SpiralPocket", request.machine.name)
         self.heading.setText(
             translate(
                 "SpiralPocket",
                 "With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; "
                 "what clearly passes it is red. ★ the fastest that keeps it.",
-            ).format(request.machine.name, np.degrees(request.engagement_limit))
+            ).format(machine, np.degrees(request.engagement_limit))
         )
         for at in range(self._strategies.count()):
             strategy = Strategy(self._strategies.itemData(at))

@@ -14,6 +14,7 @@ import Path
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..engine.model import Notice, Plan
 from ..op import commands, request, results
+from .choices import choice_text
 from .localized import in_panel
 from .resulttext import duration, length, small
 
@@ -39,7 +40,7 @@ def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
     lengths = np.array([r.cut_length for r in reports])
     mean = np.average([r.engagement_mean for r in reports], weights=np.maximum(lengths, 1e-9))
     timed = request.has_feeds(obj.ToolController)
-    machine = request.machine(obj.Machine).name
+    machine = choice_text("Machine", obj.Machine)
     return [
         (
             translate("SpiralPocket", "Time on {}").format(machine),

@@ -134,6 +134,15 @@ def test_messages_name_what_freecads_own_pages_show(job, floor, german):
     press(CANCEL)
 
 
+def test_result_names_the_machine_as_its_field_does(job, floor, german):
+    select(floor)
+    press_toolbar_button()
+    wait_for(lambda: panel().operation_page.outlook.is_settled)
+    assert widget("machine").currentText() == "Hobby-Portalfräse"
+    assert "Zeit auf Hobby-Portalfräse" in panel().operation_page.result_box.texts
+    press(CANCEL)
+
+
 def test_figures_have_the_users_decimal_mark(german):
     before = QtCore.QLocale()
     QtCore.QLocale.setDefault(QtCore.QLocale("de_DE"))
