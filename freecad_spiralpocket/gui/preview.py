@@ -105,7 +105,8 @@ class Preview:
             planned = [r.feeds.horizontal for r in requests]
             unit, _ = feed_unit()
             return Scale(quantity, 60 / unit * max([*feeds, *planned], default=1.0), unit=unit)
-        limit = float(np.degrees(max((r.engagement_limit for r in requests), default=np.pi)))
+        limits = [r.engagement_limit for r in requests if r.engagement_limit > 0]
+        limit = float(np.degrees(max(limits, default=np.pi)))
         return Scale(quantity, min(180.0, OVER_LIMIT * limit), limit)
 
     def _drawn(self) -> list[Drawn]:

@@ -164,6 +164,12 @@ def test_the_slider_plays_the_cut(opened):
     assert pixels_that_differ(whole, screenshot()) < 50
 
 
+def test_legend_bears_a_step_over_of_nothing(opened):
+    opened.StepOver = 0
+    wait_for(lambda: "never clears" in preview().box.status.text())
+    preview().box.bar.grab()  # an error in painting fails the test
+
+
 def test_colors_by_feed_differ(opened):
     by_engagement = screenshot()
     preview().box.quantity.setCurrentIndex(1)
