@@ -16,6 +16,7 @@ from PySide import QtCore
 from ..engine.model import FeedMode, Strategy
 from ..op.compat import parent_job
 from ..op.properties import INHERITED, TABLE, option_names
+from .basepage import BaseGeometryPage
 from .choices import strategy_note
 from .compat import PathOpGui, PathUtils, has_tool_controller_editor
 from .extras import FACTORIES, Extra
@@ -91,6 +92,10 @@ class OperationPage(PathOpGui.TaskPanelPage):
             form.editToolController.hide()
         form.advancedFrame.hide()
         return form
+
+    def taskPanelBaseGeometryPage(self, obj: Any, features: int) -> Any:  # noqa: N802
+        """Return the page of the selected faces."""
+        return BaseGeometryPage(obj, features)
 
     def initPage(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Tie the widgets to the properties."""

@@ -7,6 +7,7 @@ import zipfile
 import FreeCAD
 import FreeCADGui
 import pytest
+from conftest import DEPTH, PathJobGui, floors, plate
 from PySide import QtCore, QtGui
 from snapshot import differences, snapshot
 from window import (
@@ -60,6 +61,22 @@ def test_new_operation_takes_the_selected_face(job, floor):
     assert [(model.Name, faces) for model, faces in operation.Base] == [
         (job.Model.Group[0].Name, (floor[1],))
     ]
+    press(CANCEL)
+
+
+def test_new_operation_takes_the_selected_faces_of_several_parts(doc):
+    parts = [doc.addObject("Part::Feature", name) for name in ("One", "Two")]
+    for x, part in zip((0, 60), parts, strict=True):
+        part.Shape = plate().translated(FreeCAD.Vector(x, 0, 0))
+    doc.recompute()
+    job = PathJobGui.Create(parts, None, False)
+    FreeCAD.closeActiveTransaction()
+    names = [floors(part, -DEPTH)[0] for part in parts]
+    select((parts[0], "Edge1"), *zip(parts, names, strict=True))
+    press_toolbar_button()
+    (operation,) = job.Operations.Group
+    models = job.Model.Group
+    assert operation.Base == [(m, (n,)) for m, n in zip(models, names, strict=True)]
     press(CANCEL)
 
 
