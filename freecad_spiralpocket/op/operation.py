@@ -122,9 +122,9 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
     def updateDepths(self, obj: Any, ignoreErrors: bool = False) -> bool:  # noqa: N802, N803
         """Derive the depths from the stock and the deepest floor.
 
-        The base class takes the highest floor, and fails on a face that is gone.
+        The base class takes the highest floor, and fails on a face that is gone or without a stock.
         """
-        if not self._setBaseAndStock(obj, ignoreErrors):
+        if not self._setBaseAndStock(obj, ignoreErrors) or self.stock is None:
             return False
         values = selection.depth_limits(obj.Base, self.stock.Shape.BoundBox)
         properties.set_results(obj, values)

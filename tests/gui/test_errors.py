@@ -19,6 +19,8 @@ from window import (
     press_toolbar_button,
     remarks,
     select,
+    wait_for,
+    widget,
 )
 
 
@@ -156,6 +158,22 @@ def test_operation_outside_a_job_cannot_be_edited(job, floor):
         edit(operation)
     assert len(answer.texts) == 1 and "job" in answer.texts[0]
     assert not is_panel_open()
+
+
+def test_stock_that_was_deleted_is_missed_in_words(doc, job, floor):
+    select(floor)
+    press_toolbar_button()
+    press(OK)
+    (operation,) = job.Operations.Group
+    doc.removeObject(job.Stock.Name)
+    doc.recompute()
+    edit(operation)
+    wait_for(lambda: "has no stock" in widget("summary").text())
+    operation.Base = operation.Base  # FreeCAD looks for the depths then
+    with answered() as answer:
+        press(OK)
+    assert len(answer.texts) == 1 and "has no stock" in answer.texts[0]
+    press(CANCEL)
 
 
 @pytest.mark.parametrize("name", ["StockToLeave", "StepDown", "SlowdownPercent"])
