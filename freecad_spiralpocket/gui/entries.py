@@ -167,7 +167,12 @@ class Entry:
         return [self._line.textEdited, self.box.valueChanged]
 
     def show(self, value: float) -> None:
-        """Show a value, without any signal."""
+        """Show a value, or the limit beyond which it is, without any signal.
+
+        The box would set a text that is out of its range to something else, as if that was entered.
+        """
+        low, high = self._limits()
+        value = min(max(value, low), high)
         self._rounded = ""
         was_blocked = self.box.blockSignals(True)
         self.box.setProperty(self._property, value)

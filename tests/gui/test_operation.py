@@ -267,6 +267,20 @@ def test_operation_can_be_edited_with_an_expression_for_a_part_of_a_property(ope
     assert tuple(operation.StartPoint) == (18.0, 12.0, 0.0)
 
 
+@pytest.mark.parametrize(
+    ("name", "value"), [("HelixAngle", 95.0), ("Tolerance", 0.0), ("LinkFeed", -10.0)]
+)
+def test_value_that_is_out_of_range_stays_and_is_told(operation, name, value):
+    setattr(operation, name, value)
+    operation.Document.recompute()
+    edit(operation)
+    wait_for(lambda: panel().operation_page.outlook.is_settled)
+    kept = getattr(operation, name)
+    assert getattr(kept, "Value", kept) == value
+    assert panel().operation_page.outlook.plans == []
+    press(CANCEL)
+
+
 def test_apply_is_enabled_by_a_change_only(operation):
     edit(operation)
     assert not panel_button(APPLY).isEnabled()
