@@ -25,6 +25,7 @@ from .engagement import Engagement, engagement_of
 from .errors import AlreadyClearedError, CancelledError, ProofError, SpiralPocketError
 from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
+from .front_rules import MEETING
 from .leftovers import is_left
 from .levels import levels_of
 from .machine import machine_of
@@ -103,7 +104,7 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     toolpath, report = proved.toolpath, proved.report
     _refuse_bad(proved, request)
     _tell(progress, 1.0, "Done")
-    changed = _change_notices(proved.cuts, other, request)
+    changed = _change_notices(proved.cuts, other, request) or _width_notices(request)
     told = (*notices, *uncut, *changed, *_start_notices(toolpath, request), *report.notices)
     report = replace(report, notices=told)
     return Plan(asked, toolpath, report, _curves(proved.cuts, request))
@@ -141,6 +142,21 @@ def _rooms_with_stock(request: PocketRequest) -> tuple[list[Room], list[Notice]]
             "Unset UseRestMachining to cut it all the same.",
         )
     return rooms, notices
+
+
+def _width_notices(request: PocketRequest) -> list[Notice]:
+    """Return what is to be told if no lap will be as wide as the step-over."""
+    widest, asked = MEETING * request.cutter_radius, request.cutting.stepover
+    if request.strategy is not Strategy.AUTOMATIC or asked < 1.02 * widest:
+        return []
+    percent = 100 / request.tool_diameter
+    return [
+        Notice(
+            f"Of the step-over of {percent * asked:.0f} % Automatic uses {percent * widest:.0f}: "
+            "wider laps would leave stock where they meet.",
+            "Other strategies use it whole, and may leave stock.",
+        )
+    ]
 
 
 def _start_notices(toolpath: Toolpath, request: PocketRequest) -> list[Notice]:

@@ -21,8 +21,9 @@ from functools import partial
 
 from shapely import Point, Polygon
 
-from .findings import TOUCH
+from .findings import TOLD_UNCUT, TOUCH
 from .floor import FloorPath, Pass
+from .front_rules import MEETING
 from .model import PocketRequest, Report, Strategy
 from .passes import with_leads
 from .rendering import Cut
@@ -32,10 +33,7 @@ from .toolpath import Role, Toolpath
 ROUNDS = 5
 #: Shares of the step-over with which a room is planned again, in this order; then by the other
 #: strategy.
-STEPOVERS = (0.8, 0.64)
-#: Ground left standing is worth another plan from this share of the cutter's disc on; less is
-#: only told.
-WORTH = 0.01
+STEPOVERS = (0.93, 0.8, 0.64)
 #: Links that touch stock over no more than this become cuts over so much at both ends, over R:
 #: they begin and end at its very edge.
 LEAD = 0.5
@@ -119,12 +117,12 @@ def badness(proved: Proved, request: PocketRequest) -> tuple[float, float, float
 def other_settings(request: PocketRequest) -> list[PocketRequest]:
     """Return the requests by which a room is planned again, in this order."""
     cutting = request.cutting
-    other = Strategy.LINEAR_MORPH
-    if request.strategy is not Strategy.AUTOMATIC:
-        other = Strategy.AUTOMATIC
+    other, stepover = Strategy.AUTOMATIC, cutting.stepover
+    if request.strategy is Strategy.AUTOMATIC:  # no lap of its own is wider
+        other, stepover = Strategy.LINEAR_MORPH, min(stepover, MEETING * request.cutter_radius)
     return [
         *(
-            replace(request, cutting=replace(cutting, stepover=share * cutting.stepover))
+            replace(request, cutting=replace(cutting, stepover=share * stepover))
             for share in STEPOVERS
         ),
         replace(request, strategy=other),
@@ -225,11 +223,11 @@ def _sick(proved: Proved, request: PocketRequest) -> list[Cut]:
 
 
 def _left(report: Report, request: PocketRequest) -> float:
-    """Return the ground left standing that is worth another plan [mm2].
+    """Return the ground left standing that is worth another plan [mm2]: what would be told.
 
     Without a closing lap the corners are left on purpose.
     """
     disc = math.pi * request.cutter_radius**2
-    if not request.cutting.finishing_lap or report.uncut_area < WORTH * disc:
+    if not request.cutting.finishing_lap or report.uncut_area <= TOLD_UNCUT * disc:
         return 0.0
     return report.uncut_area

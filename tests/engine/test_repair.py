@@ -5,7 +5,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from shapely import LineString, box
+from shapely import LineString, Polygon, box
 from shapely.ops import substring
 from shapes import HEIGHTS, SQUARE, rounded
 from shapes import request as request_of
@@ -14,7 +14,7 @@ from freecad_spiralpocket.engine import plan, planner
 from freecad_spiralpocket.engine.errors import NotYetError, ProofError
 from freecad_spiralpocket.engine.floor import FloorPath, Pass
 from freecad_spiralpocket.engine.laps import linear_morph
-from freecad_spiralpocket.engine.model import CutMode, Strategy
+from freecad_spiralpocket.engine.model import CutMode, Cutting, Strategy
 from freecad_spiralpocket.engine.repair import Proved, badness, other_settings, with_lifts
 from freecad_spiralpocket.engine.toolpath import Kind, Role
 
@@ -153,8 +153,8 @@ def test_a_gouge_is_cured_by_a_smaller_stepover(use):
     made = use(only_if_as_asked(gouges))
     assert made.report.gouge <= made.request.tolerance
     (told,) = [n for n in made.report.notices if "failed its proof" in n.message]
-    assert "a step-over of 1.92 mm instead of 2.4 mm" in told.message
-    assert told.hint.startswith("Set StepOver to 32")
+    assert "a step-over of 2.23 mm instead of 2.4 mm" in told.message
+    assert told.hint.startswith("Set StepOver to 37")
 
 
 def test_a_gouge_above_a_fine_tolerance_is_none_the_less(use):
@@ -194,7 +194,7 @@ def test_only_the_room_that_is_sick_is_planned_again(use, monkeypatch):
     monkeypatch.setitem(planner._STRATEGIES, Strategy.AUTOMATIC, strategy)
     made = plan(request_of(both, strategy=Strategy.AUTOMATIC))
     assert made.report.gouge <= made.request.tolerance
-    assert sorted(planned) == [(False, 2.4), (True, pytest.approx(0.8 * 2.4)), (True, 2.4)]
+    assert sorted(planned) == [(False, 2.4), (True, pytest.approx(0.93 * 2.4)), (True, 2.4)]
 
 
 def test_a_sound_path_is_proved_once(use, monkeypatch):
@@ -224,8 +224,29 @@ def test_ground_in_a_room_without_a_path_is_no_fault(use, monkeypatch):
 def test_the_other_strategy_comes_last():
     asked = request_of(SQUARE, strategy=Strategy.LINEAR_MORPH)
     tried = other_settings(asked)
-    assert [t.cutting.stepover for t in tried] == pytest.approx([1.92, 1.536, 2.4])
+    assert [t.cutting.stepover for t in tried] == pytest.approx([2.232, 1.92, 1.536, 2.4])
     assert [t.strategy for t in tried][-1] is Strategy.AUTOMATIC
+
+
+@pytest.mark.parametrize("share", [0.5, 0.9])
+def test_wide_laps_that_leave_stock_where_they_meet_are_laid_closer(share):
+    pocket = Polygon([(0, 0), (100, 0), (100, 35), (35, 35), (35, 100), (0, 100)])
+    asked = request_of(rounded(pocket, 4.0), strategy=Strategy.AUTOMATIC)
+    width = share * asked.tool_diameter
+    made = plan(
+        dataclasses.replace(asked, cutting=dataclasses.replace(asked.cutting, stepover=width))
+    )
+    assert made.report.uncut_area < 0.01
+    assert "instead of" in made.report.notices[0].message
+
+
+def test_step_over_that_automatic_does_not_use_whole_is_told():
+    asked = request_of(SQUARE, strategy=Strategy.AUTOMATIC)
+    told = [
+        [n.message for n in plan(dataclasses.replace(asked, cutting=Cutting(width))).report.notices]
+        for width in (0.44 * asked.tool_diameter, 0.6 * asked.tool_diameter)
+    ]
+    assert told[0] == [] and "step-over of 60 % Automatic uses 44" in told[1][0]
 
 
 def test_a_link_behind_another_is_lifted_too(use):
