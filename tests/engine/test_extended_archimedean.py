@@ -187,6 +187,7 @@ def test_no_spiral_closes_round_an_island():
     pocket = Point(0, 0).buffer(34).difference(Point(6, 0).buffer(5))
     region, layout = lay(pocket, cutting=Cutting(0.6))
     island = Polygon(region.interiors[0])
+    assert layout.spirals
     for spiral in layout.spirals:
         assert not any(within.intersects(island.buffer(-0.1)) for within in spiral.within)
 
