@@ -883,6 +883,14 @@
         <translation>Keine Isotherme führt zur Nut.</translation>
     </message>
     <message>
+        <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
+        <translation>Von der seitlichen Zustellung von {0} % nutzt Automatisch {1}: Breitere Bahnen ließen Material stehen, wo sie sich treffen.</translation>
+    </message>
+    <message>
+        <source>Other strategies use it whole, and may leave stock.</source>
+        <translation>Andere Strategien nutzen sie ganz und lassen womöglich Material stehen.</translation>
+    </message>
+    <message>
         <source>Planning feeds</source>
         <translation>Vorschübe werden geplant</translation>
     </message>

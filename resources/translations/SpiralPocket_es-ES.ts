@@ -883,6 +883,14 @@
         <translation>Ninguna isoterma lleva a la ranura.</translation>
     </message>
     <message>
+        <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
+        <translation>Del paso lateral de {0} %, Automático usa {1}: vueltas más anchas dejarían material donde se encuentran.</translation>
+    </message>
+    <message>
+        <source>Other strategies use it whole, and may leave stock.</source>
+        <translation>Otras estrategias lo usan entero y pueden dejar material.</translation>
+    </message>
+    <message>
         <source>Planning feeds</source>
         <translation>Planificando avances</translation>
     </message>

@@ -883,6 +883,14 @@
         <translation>Aucune isotherme ne mène à la rainure.</translation>
     </message>
     <message>
+        <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
+        <translation>Du pas latéral de {0} %, Automatique utilise {1} : des passes plus larges laisseraient de la matière où elles se rejoignent.</translation>
+    </message>
+    <message>
+        <source>Other strategies use it whole, and may leave stock.</source>
+        <translation>Les autres stratégies l'utilisent en entier et peuvent laisser de la matière.</translation>
+    </message>
+    <message>
         <source>Planning feeds</source>
         <translation>Calcul des avances</translation>
     </message>

@@ -883,6 +883,14 @@
         <translation>没有等温线通向槽。</translation>
     </message>
     <message>
+        <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
+        <translation>步距为 {0} %，“自动”只用其中的 {1}：更宽的圈次会在相接处留下余料。</translation>
+    </message>
+    <message>
+        <source>Other strategies use it whole, and may leave stock.</source>
+        <translation>其他策略会使用全部步距，但可能留下余料。</translation>
+    </message>
+    <message>
         <source>Planning feeds</source>
         <translation>规划进给</translation>
     </message>
