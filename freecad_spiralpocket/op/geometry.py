@@ -90,7 +90,10 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
     SelectionError
         If a wire of the face is not closed or the outline crosses itself.
     """
+    import shapely
     from shapely import Polygon
+
+    from ..engine.region import polygons_of
 
     outer = floor.face.OuterWire
     rings = [_ring(outer, sag, floor.label, counter_clockwise=True)]
@@ -99,7 +102,12 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
             if not wire.isSame(outer) and is_island(floor, wire):
                 rings.append(_ring(wire, sag, floor.label, counter_clockwise=False))
     result = Polygon(rings[0], rings[1:])
-    if not result.is_valid or result.is_empty:
+    if not result.is_valid:
+        # chords may cross where an edge comes to another tangentially, as in a cusp
+        result, *rest = polygons_of(shapely.make_valid(result)) or [Polygon()]
+        if any(not part.buffer(-sag).is_empty for part in rest):
+            result = Polygon()
+    if result.is_empty:
         raise SelectionError(
             f"The outline of {floor.label} crosses itself.",
             "Repair the part (Part workbench, Check Geometry).",

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Floors become polygons that stay inside the pocket and miss no more than the sag."""
 
+from itertools import pairwise
+
 import FreeCAD
 import numpy as np
+import Part
 import pytest
 import shapely
 from FreeCAD import Vector
@@ -39,6 +42,17 @@ FLOORS = {
 }
 
 
+def cusp():
+    """Return an area with an arc that leaves an edge where it touches it."""
+    low, lean, high = Vector(40, 0, 0), Vector(40 - 50**0.5, 10 - 50**0.5, 0), Vector(30, 10, 0)
+    corners = [high, Vector(30, 30, 0), Vector(0, 30, 0), Vector(0, 0, 0), low]
+    lines = [Part.makeLine(a, b) for a, b in pairwise(corners)]
+    return Part.Face(Part.Wire([Part.Arc(low, lean, high).toShape(), *lines]))
+
+
+FLOORS["cusp"] = cusp
+
+
 def floor_of(doc, shape, index=0, z=-DEPTH):
     part = add_part(doc, shape)
     return selection.floor(part, faces_at(shape, z)[index])
@@ -63,8 +77,6 @@ def depth_in_material(face, polygon, per_segment=7):
             for x, y in ends[:-1] * (1 - f) + ends[1:] * f:
                 vertex = Vector(x, y, face.BoundBox.ZMin)
                 if not face.isInside(vertex, ROUNDING, True):
-                    import Part
-
                     worst = max(worst, face.distToShape(Part.Vertex(vertex))[0])
     return worst
 
@@ -75,11 +87,16 @@ def test_polygon_stays_inside_the_floor(doc, name):
     assert depth_in_material(floor.face, geometry.polygon(floor, SAG)) <= ROUNDING
 
 
-@pytest.mark.parametrize("name", FLOORS)
+@pytest.mark.parametrize("name", sorted(set(FLOORS) - {"cusp"}))
 def test_polygon_misses_no_more_than_the_sag(doc, name):
     floor = floor_of(doc, block(FLOORS[name]()))
     outline = geometry.polygon(floor, SAG).boundary
     assert shapely.distance(true_outline(floor.face), outline).max() <= 1.1 * SAG
+
+
+def test_cusp_loses_no_more_than_its_tip(doc):
+    floor = floor_of(doc, block(cusp()))
+    assert 0 <= floor.face.Area - geometry.polygon(floor, SAG).area <= SAG * 10  # the arc's radius
 
 
 @pytest.mark.parametrize("name", FLOORS)
