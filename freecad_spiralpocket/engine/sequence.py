@@ -203,11 +203,12 @@ class _Search:
         self._note()
 
     def _note(self) -> None:
-        """Note where each run is, what is done before it, and how long its link takes."""
+        """Note where each run is, what is done before it, and how long the links take up to it."""
         self._at = {run: at for at, run in enumerate([-1, *self.sequence], start=-1)}
-        self._done, self._costs, before = [0], [], -1
+        self._done, self._spent, before = [0], [0.0], -1
         for run in self.sequence:
-            self._costs.append(self._links.seconds(before, run, self._done[-1]))
+            seconds = self._links.seconds(before, run, self._done[-1])
+            self._spent.append(self._spent[-1] + seconds)
             self._done.append(self._done[-1] | 1 << run)
             before = run
 
@@ -245,7 +246,7 @@ class _Search:
         """Return whether it saves time if [low, middle) and [middle, high) change places."""
         seq, links = self.sequence, self._links
         until = min(high + 1, len(seq))
-        left = sum(self._costs[low:until]) - GAIN
+        left = self._spent[until] - self._spent[low] - GAIN
         done, before = self._done[low], seq[low - 1] if low else -1
         for run in (*seq[middle:high], *seq[low:middle], *seq[high:until]):
             self._left -= 1

@@ -119,10 +119,11 @@ def holes(floor: Floor, sag: float) -> list[Polygon]:
     """Return the holes in a floor, from whose rim no wall rises, a sag too large or small."""
     from shapely import Polygon
 
+    outer = floor.face.OuterWire
     return [
         Polygon(_ring(wire, sag, floor.label, counter_clockwise=True)).buffer(0)
         for wire in floor.face.Wires
-        if not wire.isSame(floor.face.OuterWire) and not is_island(floor, wire)
+        if not wire.isSame(outer) and not is_island(floor, wire)
     ]
 
 

@@ -20,6 +20,8 @@ SAME_AREA = 1e-6
 
 def groups(selected: Sequence[tuple[Any, str]]) -> list[tuple[Any, tuple[str, ...]]]:
     """Return pairs of model and names of faces, those together that meet at one height."""
+    if len(selected) == 1:
+        return [(model, (name,)) for model, name in selected]
     found: list[tuple[Any, list[str], set[tuple[int, int]]]] = []
     for model, name in selected:
         names, edges = [name], _level_edges(model, name)

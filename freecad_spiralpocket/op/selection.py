@@ -52,8 +52,10 @@ class Neighbors:
         self._edges: list[list[int]] = []
         self._heights: dict[int, tuple[float, float]] = {}
         for i, face in enumerate(self.faces):
-            # the edges of wires in their order come sooner than those of faces
-            edges = [edge.hashCode() for wire in face.Wires for edge in wire.OrderedEdges]
+            # the edges of wires in their order come sooner than those of faces, an only wire sooner
+            # as the outer one
+            wires = [face.OuterWire] if face.countSubElements("Wire") == 1 else face.Wires
+            edges = [edge.hashCode() for wire in wires for edge in wire.OrderedEdges]
             self._edges.append(edges)
             for edge in edges:
                 self._at.setdefault(edge, []).append(i)
@@ -280,7 +282,7 @@ def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:
     other = next((n for n in neighbors.at(edge) if n != own), None)
     if other is None:
         return False
-    z, (low, high) = edge.BoundBox.ZMin, neighbors.heights(other)
+    z, (low, high) = neighbors.heights(own)[0], neighbors.heights(other)
     above, below = high > z + SAME_HEIGHT, low < z - SAME_HEIGHT
     if above != below:
         return bool(above)

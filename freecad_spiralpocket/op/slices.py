@@ -150,6 +150,9 @@ def is_level(face: Any) -> bool:
 
 def is_vertical(face: Any) -> bool:
     """Return whether a face is vertical everywhere."""
+    surface = face.Surface
+    if isinstance(surface, Part.Plane):
+        return bool(abs(surface.Axis.z) < LEVEL)
     return bool(np.abs(_normals(face)[:, 2]).max() < LEVEL)
 
 
