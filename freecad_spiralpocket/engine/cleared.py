@@ -55,6 +55,8 @@ class ClearedMap:
         [mm]
     ring : LineString, optional
         Closed: along it the cutter has been, in however narrow a slot.
+    begun : LineString, optional
+        Runs may begin and end along it as well.
     """
 
     def __init__(
@@ -66,6 +68,7 @@ class ClearedMap:
         reach: float,
         pixel: float,
         ring: LineString | None = None,
+        begun: LineString | None = None,
     ) -> None:
         x0, y0, x1, y1 = region.bounds
         self.pixel, self.reach, self.ring = pixel, reach, ring
@@ -89,7 +92,7 @@ class ClearedMap:
         idle = owner < 0
         cleared = (level <= len(fronts)) & idle & inside
         #: Within a pixel of cleared ground: strokes begin and end on the very edge of it.
-        self.near = dilated(cleared | self._along(ring))
+        self.near = dilated(cleared | self._along(ring) | self._along(begun))
         #: Cleared ground, and beside a wall the pixel that the wall cuts through.
         self.free = cleared | (dilated(cleared) & ~inside)
 

@@ -5,11 +5,6 @@ The helix' circle is at most as wide as the cutter's radius, so that no post
 remains in the middle; as wide as fits otherwise, because a wide helix sinks more
 per turn at the same ramp angle. It starts at just the angle that makes it end,
 after whole and part turns and one flat one, where the spiral begins.
-
-The slot runs round a closed ring, a racetrack about the curve that it opens, in
-flat levels joined by short ramps; one such loop is one level, and the last
-runs on over its own ramp [EAS07's cure for the full slot, flat instead of
-trochoidal: on machines of ordinary acceleration that is several times faster].
 """
 
 from __future__ import annotations
@@ -21,11 +16,10 @@ import numpy as np
 from shapely import Point, Polygon
 
 from .errors import CutterDoesNotFitError
-from .floor import Descent, Groove, Helix, Plunge, Slot, WayDown
+from .floor import Descent, Groove, Helix, Plunge, WayDown
 from .groove import groove_path
-from .model import Entry, Feeds, Floats, PocketRequest
-from .points import distances_along
-from .polyline import closed_line, points_at
+from .model import Entry, Feeds, Floats
+from .slot import slot_path
 from .toolpath import Role, ToolpathBuilder
 
 #: Radius of the cutter center's circle over R at most: nearly R, and surely no post left.
@@ -117,30 +111,7 @@ def entry_start(entry: WayDown, down: Descent) -> Floats:
         return groove_path(entry, down)[0, :2]
     if isinstance(entry, Plunge):
         return entry.place
-    ring = closed_line(entry.ring)
-    ramp = slot_ramp(entry, down.angle, down.depth)
-    return np.array(ring.interpolate(-ramp % ring.length).coords[0])
-
-
-def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> float:
-    """Return where along its ring a slot must end to begin nearest to a place [mm].
-
-    Parameters
-    ----------
-    slot : Slot
-    asked : tuple of float
-        [mm]
-    request : PocketRequest
-        For the depth of its first level, nearly, and the ramp's angle.
-    """
-    ring = closed_line(slot.ring)
-    ramp = slot_ramp(slot, request.entry.helix_angle, request.axial_depth)
-    return float((ring.project(Point(asked)) + ramp) % ring.length)
-
-
-def slot_ramp(slot: Slot, angle: float, depth: float) -> float:
-    """Return the length of the ramps of a slot of some depth, seen from above [mm]."""
-    return depth / slot_levels(slot, angle, depth) / math.tan(angle)
+    return slot_path(entry, down)[0, :2]
 
 
 def cut_entry(
@@ -165,7 +136,7 @@ def cut_entry(
         # fed all the way: the edge of the stock may be off by more than the cutter keeps from it
         builder.line((*entry.place, down.bottom), feeds.vertical, Role.ENTRY)
     else:
-        _cut_slot(builder, entry, down, feeds, slack)
+        _cut_points(builder, slot_path(entry, down), down.angle, feeds, slack)
 
 
 def _on_circle(helix: Helix, angle: float) -> Floats:
@@ -196,45 +167,6 @@ def _cut_helix(builder: ToolpathBuilder, helix: Helix, down: Descent, feeds: Fee
         turn(at + sweep * i / arcs, min(z, begin), feed)
     turn(helix.start_angle + math.pi, down.bottom, feeds.horizontal)
     turn(helix.start_angle + 2 * math.pi, down.bottom, feeds.horizontal)
-
-
-def slot_levels(slot: Slot, angle: float, depth: float) -> int:
-    """Return in how many levels a slot of some depth is cut.
-
-    No ramp is longer than once round it: about a short one there are more levels than its bite asks
-    for, until all of it is ramp.
-    """
-    bite = min(slot.bite, closed_line(slot.ring).length * math.tan(angle))
-    return max(1, math.ceil(depth / bite - 1e-9))
-
-
-def _cut_slot(
-    builder: ToolpathBuilder, slot: Slot, down: Descent, feeds: Feeds, slack: float
-) -> None:
-    """Add the loops of a slot: each begins with a ramp, the last one runs over its ramp again."""
-    ring = closed_line(slot.ring)
-    levels = slot_levels(slot, down.angle, down.depth)
-    bite = down.depth / levels
-    ramp = bite / math.tan(down.angle)
-    corners = distances_along(ring.coords)
-    end = levels * ring.length
-    turns = np.arange(-math.ceil(ramp / ring.length), levels + 1)
-    stops = (corners[None, :] + ring.length * turns[:, None]).ravel()
-    # a loop's ramp ends `ramp` after it began, wherever the ring's first point is
-    knees = np.concatenate(
-        [ring.length * np.arange(levels) - ramp, ring.length * np.arange(levels)]
-    )
-    s = np.unique(np.round(np.concatenate([stops, knees, [end]]), 9))
-    s = s[(s > -ramp + 1e-6) & (s <= end + 1e-9)]
-    heights = np.interp(
-        s,
-        np.sort(knees),
-        np.repeat(down.top - bite * np.arange(levels + 1), 2)[1:-1],
-    )
-    points = points_at(ring, s % ring.length)
-    start = (*entry_start(slot, down), down.top)
-    path = np.vstack([start, np.column_stack([points, heights])])
-    _cut_points(builder, path, down.angle, feeds, slack)
 
 
 def _cut_points(

@@ -10,13 +10,13 @@ import numpy as np
 import shapely
 from shapely import LineString
 
-from .entry import slot_levels
 from .floor import Descent, Groove, Helix, Plunge
 from .groove import groove_path
 from .linking import Motion, link_times
 from .machine import machine_of
 from .model import Floats, PocketRequest
 from .ordering import Step
+from .slot import slot_levels, slot_path
 from .starts import Start
 from .strokes import Stroke
 from .timing import polyline_seconds
@@ -71,8 +71,11 @@ def entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float
     once = way_seconds(ring, request, motion)
     if isinstance(entry, Helix):
         return (depth / math.tan(angle) / start.ring.length + 1) * once
+    down = Descent(depth, 0.0, angle)
     if isinstance(entry, Groove):
-        return way_seconds(groove_path(entry, Descent(depth, 0.0, angle)), request, motion)
+        return way_seconds(groove_path(entry, down), request, motion)
+    if entry.stairs is not None:
+        return way_seconds(slot_path(entry, down), request, motion)
     levels = slot_levels(entry, angle, depth)
     return levels * once + depth / levels / math.tan(angle) / motion.cut_feed
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from .model import Floats, SplineCurve
+from .stairs import Stairs
 from .toolpath import Role
 
 
@@ -43,10 +44,13 @@ class Slot:
         Counter-clockwise; begins where the entry ends, the first point is not repeated [mm].
     bite : float
         Largest axial depth of one level [mm].
+    stairs : Stairs or None
+        Where its loops run, if not all along the ring; it ends on the inner line then.
     """
 
     ring: Floats
     bite: float
+    stairs: Stairs | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

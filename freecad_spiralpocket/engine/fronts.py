@@ -127,7 +127,7 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
     omega : shapely.Polygon
         The cutter-center region; contains `visited`.
     """
-    visited = _without_idle_holes(visited, omega, rules)
+    visited = without_idle_holes(visited, omega, rules)
     shell, least = shapely.get_coordinates(visited.exterior), rules.stepover
     if not shapely.equals(visited.exterior, omega.exterior):
         shell, least = _stepped_ring(visited.exterior, omega, rules)
@@ -153,7 +153,7 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
     return front if front.is_valid else largest(shapely.make_valid(front))
 
 
-def _without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
+def without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
     """Fill the holes, and the arms of holes, in which no stock stands.
 
     The cutter reached over them from all around.
@@ -190,7 +190,7 @@ def fronts_from(
     shapely.Polygon
         Nested, from `start` to where only corners are left (see `corners`).
     """
-    front = oriented(_without_idle_holes(start, omega, rules))
+    front = oriented(without_idle_holes(start, omega, rules))
     yield front
     least = STALLED * rules.stepover * rules.cutter_radius
     while True:

@@ -25,7 +25,6 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from .cleared import ClearedMap, pixel_of
-from .entry import slot_end
 from .floor import FloorPath, Helix, Pass, Slot
 from .kinks import has_kink, reach_of_kinks, softened
 from .leaving import straightest
@@ -34,6 +33,7 @@ from .model import Floats, PocketRequest, Tick
 from .ordering import Situation, Step, order
 from .passes import slim
 from .polyline import ring_from
+from .slot import slot_end
 from .spiral import BLEND, gaps, spiral_through, zone_length, zones
 from .stroke_runs import Run
 from .strokes import Stroke

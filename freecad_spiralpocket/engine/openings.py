@@ -16,13 +16,14 @@ import shapely
 from shapely import LineString, Point, Polygon
 
 from .coverable import Center, maximal_centers
-from .entry import fit_helix_radius, slot_end
+from .entry import fit_helix_radius
 from .floor import Helix, Slot
 from .joints import Joint, joined
 from .model import PocketRequest
 from .polyline import closed_line, ring_from
 from .shaping import grow_coarsely, oriented
 from .skeleton import Skeleton
+from .slot import slot_end
 from .starts import HALF_WIDTHS, Start, slot_round
 
 #: Half the width of the ways between centers, over D.

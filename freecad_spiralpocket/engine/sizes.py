@@ -113,7 +113,9 @@ def _resized_entry(entry: WayDown, factor: float) -> WayDown:
     if isinstance(entry, Helix):
         return _times(entry, factor, ["center", "radius"])
     if isinstance(entry, Slot):
-        return _times(entry, factor, ["ring", "bite"])
+        slot = _times(entry, factor, ["ring", "bite"])
+        stairs = slot.stairs
+        return replace(slot, stairs=stairs and _times(stairs, factor, ["lines", "inner"]))
     if isinstance(entry, Plunge):
         return Plunge(factor * entry.place)
     lengths = _times(entry, factor, ["ring", "trunk", "bite"])

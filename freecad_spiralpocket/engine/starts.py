@@ -17,24 +17,30 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import numpy as np
 import shapely
 from shapely import LineString, Point, Polygon
 
 from .branches import feet_between, lengthened, slim_ring, smoothed
-from .entry import NARROWEST, WIDEST, fit_helix_radius, slot_ramp
+from .entry import NARROWEST, WIDEST, fit_helix_radius
 from .errors import CutterDoesNotFitError
 from .floor import Groove, Helix, Slot, WayDown
+from .front_rules import rules_of
+from .fronts import fronts_from
 from .groove import rooms_of
 from .islands import bridges_between, into_notches
 from .leaving import bends, straightest
 from .model import Floats, PocketRequest
-from .outline import outline_of
+from .outline import WIDTH, outline_of
 from .polyline import closed_line, located, points_at
 from .shaping import grow_coarsely, largest, oriented
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
+from .slot import slot_ramp
 from .spiral import BLEND, between
+from .stairs import leaves_crumbs, stairs_of
+from .strokes import strokes_of
 
 #: The whole tree is tried if it is longer than its longest path by this.
 BRANCHED = 1.15
@@ -65,6 +71,9 @@ RING_ROUNDINGS = (1.0, 0.5, 0.2, 0.1, 0.02, 0.005, 0.002, 0.0005)
 CHORD_SLACK = 0.004
 #: Width of the smoothing of the center curve, over R.
 SMOOTHING = 1.0
+#: So far beside corners all loops of a slot run along the wall, over R; the first that leaves
+#: nothing on the floor.
+BARE = (0.0, 0.25, 0.6)
 #: A slot's axial bite over D at most.
 DEEPEST_BITE = 0.3
 
@@ -89,6 +98,11 @@ class Start:
         reach. What is left of the region is corners.
     idle : tuple of shapely.Polygon
         Other ground in `omega` where the center could go without cutting, once it gets there.
+    open : shapely.Polygon or None
+        What of `visited` is open down to the floor, if not all of it is: a first lap is yet to
+        clear what the slot's stairs leave.
+    instead : Start or None
+        A plainer one, worth a look if laps from this one do not follow each other.
     """
 
     name: str
@@ -98,6 +112,8 @@ class Start:
     ring: LineString
     within: Polygon | None = None
     idle: tuple[Polygon, ...] = ()
+    open: Polygon | None = None
+    instead: Start | None = None
 
 
 def slot_bite(request: PocketRequest) -> float:
@@ -348,7 +364,34 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     # the wall is cut climb; the plug lies on the other side, so that its laps go the other way
     there = np.vstack([points[:1], points[:0:-1]])
     slot = replace(slot, ring=there)
-    return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
+    start = Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
+    return _with_stairs(start, request)
+
+
+def _with_stairs(start: Start, request: PocketRequest) -> Start:
+    """Return a slot whose loops come nearer to the wall level by level, where that is worth it."""
+    radius, rules = request.cutter_radius, rules_of(request)
+    slot, region = start.entry, start.within
+    assert isinstance(slot, Slot) and region is not None
+    for bare in BARE:
+        stairs = stairs_of(slot.ring, region, slot.bite, request, bare)
+        if stairs is None:
+            break
+        plug = grow_coarsely(Polygon(stairs.inner), -WIDTH * radius)
+        around = Polygon(start.visited.exterior)
+        visited = oriented(largest(shapely.difference(around, plug)))
+        fronts = list(islice(fronts_from(visited, start.omega, rules), 2))
+        if len(fronts) < 2 or leaves_crumbs(stairs, strokes_of(fronts), radius):
+            continue
+        return replace(
+            start,
+            visited=visited,
+            entry=replace(slot, ring=stairs.lines[-1], stairs=stairs),
+            ring=closed_line(np.vstack([stairs.inner[:1], stairs.inner[:0:-1]])),
+            open=start.visited,
+            instead=None if stairs.is_sure else start,
+        )
+    return start
 
 
 def island_ring(region: Polygon, request: PocketRequest) -> Start | None:

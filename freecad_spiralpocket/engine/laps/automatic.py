@@ -30,15 +30,16 @@ from ..estimates import (
     motion_of,
     seconds_of,
 )
-from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
+from ..floor import FloorPath, Groove, Pass, Plunge, Slot, WayDown
 from ..front_rules import WIDEST, FrontRules, rules_of
-from ..fronts import MAX_FRONTS, STRETCH, fronts_from
+from ..fronts import MAX_FRONTS, STRETCH, fronts_from, without_idle_holes
 from ..leftovers import is_left, large_pieces, without
 from ..linking import Motion
 from ..model import Floats, PocketRequest, Tick
 from ..open_sides import needed, starts_of, strokes_in_stock, strokes_within
 from ..ordering import Situation, Step, order
 from ..passes import passes_of
+from ..polyline import closed_line
 from ..promising import FEW, promising
 from ..region import polygons_of
 from ..sequence import in_better_sequence
@@ -160,6 +161,8 @@ def _fastest(
         links = sum(step.link is None or len(step.link) > 0 for step in laid.all_steps)
         if best.is_beaten_by(seconds, links):
             best = _Best(start, laid, seconds, links)
+        if start.instead is not None and links > 1:
+            starts.append((start.instead, within))
     if best.start is None:
         raise _too_wide()
     return _in_better_order(best, motion, partial(tick, 1.0))
@@ -332,7 +335,12 @@ def _laid(
     late = [part for zone in zones for part in polygons_of(zone)]
     # about a plug's rounded corner the next lap is farther away than R
     reach = radius if start.within is None else 2 * radius
-    cleared = ClearedMap(fronts, strokes, region, late, reach, pixel_of(request), start.ring)
+    slot, opened = start.ring, fronts[0]
+    if start.open is not None and isinstance(start.entry, Slot):
+        slot = closed_line(start.entry.ring)
+        opened = without_idle_holes(start.open, start.omega, rules_of(request))
+    pixel, grown = pixel_of(request), [opened, *fronts[1:]]
+    cleared = ClearedMap(grown, strokes, region, late, reach, pixel, slot, start.ring)
     runs = runs_of(strokes, fronts, start.ring, radius, request.cutting.stepover)
     if opening:
         before, here = opening[-1].points[-2:]

@@ -28,12 +28,12 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
-from ..entry import slot_end
 from ..errors import NotYetError
 from ..floor import FloorPath, Helix, Slot
 from ..inner_curves import Spine, axis_spines, is_compact, point_spine
 from ..model import Floats, PocketRequest, Tick
 from ..polyline import closed_line, ring_from
+from ..slot import slot_end
 from ..splines import (
     join_c2,
     periodic_beziers,
