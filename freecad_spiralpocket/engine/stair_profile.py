@@ -81,19 +81,22 @@ class Profile:
         at_wall = self.away <= 0
         return int(np.count_nonzero(at_wall & ~np.roll(at_wall, 1)))
 
-    def line(self, distance: float) -> Floats:
-        """Return the line at a distance [mm] from the wall, shape (n, 2), a point for each place.
+    def offsets(self, distance: float) -> Floats:
+        """Return how far off the wall a line at a distance [mm] runs at each sample, (n,) [mm]."""
+        if distance == 0:
+            return np.zeros(len(self.samples))
+        taper = math.sqrt(TAPER * self.radius * distance)
+        return distance * self.share * eased(self.away / taper)
+
+    def line(self, offsets: Floats) -> Floats:
+        """Return the line so far off the wall at each sample, shape (n, 2), a point for each place.
 
         The first point is not repeated.
         """
         along, length = self.along, self.wall.length
-        points = points_at(self.wall, along)
-        if distance == 0:
-            return points
-        taper = math.sqrt(TAPER * self.radius * distance)
-        off = distance * self.share * eased(self.away / taper)
         inwards = _inwards(self.wall, along, BEND * self.radius)
-        return points + np.interp(along, self.samples, off, period=length)[:, None] * inwards
+        off = np.interp(along, self.samples, offsets, period=length)
+        return points_at(self.wall, along) + off[:, None] * inwards
 
 
 def profile_of(

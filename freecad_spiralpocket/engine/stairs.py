@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from .front_rules import WIDEST, FrontRules, rules_of
@@ -35,6 +36,9 @@ LUMP = 2.5
 LEAST_LENGTH = 1.2
 #: A way from one line to the next, over how far that is.
 ASIDE = 3.0
+#: The loop along the wall is no more engaged than this over the limit: often stock is lower than
+#: told, and what is left on the slot's floor a larger share of it.
+GENTLE = 0.95
 #: What the first lap may leave of the stair's floor, over R squared.
 CRUMB = 1e-4
 #: Halvings in the search for a limit.
@@ -91,15 +95,17 @@ def stairs_of(
     radius, rules, depth = request.cutter_radius, rules_of(request), request.axial_depth
     drops = _drops(depth, bite)
     distances = _distances(drops, rules)
-    inner = _first_lap(drops, distances, rules) - rules.stepover
+    inner = float(_first_lap(drops, distances, rules)) - rules.stepover
     if inner <= 0:
         return None
     wall = closed_line(ring)
     profile = profile_of(wall, region, distances[0], inner, rules, bare * radius)
     if profile is None:
         return None
-    lines = np.stack([profile.line(d) for d in distances])
-    stairs = Stairs(lines, drops / depth, profile.line(inner))
+    offsets = np.stack([profile.offsets(d) for d in distances])
+    lines = np.stack([profile.line(off) for off in offsets])
+    inner_offsets = np.maximum(_first_lap(drops, offsets, rules) - rules.stepover, 0.0)
+    stairs = Stairs(lines, drops / depth, profile.line(inner_offsets))
     asides = float(stairs.asides.sum())
     if wall.length < LEAST_LENGTH * (asides + depth / math.tan(request.entry.helix_angle)):
         return None
@@ -145,43 +151,44 @@ def _distances(drops: Floats, rules: FrontRules) -> Floats:
     """
     radius, depth = rules.cutter_radius, float(drops.sum())
     above = (np.cumsum(drops) - drops)[1:]
-    angles = (rules.limit * depth - math.pi * drops[1:]) / above
+    limits = np.full(len(above), rules.limit)
+    limits[-1:] *= GENTLE
+    angles = (limits * depth - math.pi * drops[1:]) / above
     by_angle = radius * (1 - np.cos(np.maximum(angles, 0.0)))
     by_volume = (WIDEST * rules.stepover * depth - 2 * radius * drops[1:]) / above
     steps = np.maximum(np.minimum(by_angle, by_volume), 0.0)
     distances = np.append(np.cumsum(steps[::-1])[::-1], 0.0)
     reach = 2 * radius - (WIDEST - 1) * rules.stepover
 
-    def is_reached(most: float) -> bool:
-        return _first_lap(drops, np.minimum(distances, most), rules) < reach
+    def is_reached(most: Floats) -> NDArray[np.bool_]:
+        return np.asarray(_first_lap(drops, np.minimum(distances, most), rules) < reach)
 
     distances = np.minimum(distances, _largest(is_reached, distances[0]))
     # what a loop clears beyond the first lap's middle would be lost
     return np.minimum(distances, _first_lap(drops, distances, rules))
 
 
-def _first_lap(drops: Floats, distances: Floats, rules: FrontRules) -> float:
-    """Return how far off the wall a lap is engaged to the limit by what the loops leave [mm]."""
-    radius = rules.cutter_radius
+def _first_lap(drops: Floats, distances: Floats, rules: FrontRules) -> Floats:
+    """Return how far off the wall a lap is engaged to the limit by what the loops leave [mm].
 
-    def is_below(lap: float) -> bool:
+    `distances` of the loops have shape (k, ...), the result that without the first axis.
+    """
+    radius, drops = rules.cutter_radius, drops.reshape(-1, *[1] * (distances.ndim - 1))
+
+    def is_below(lap: Floats) -> NDArray[np.bool_]:
         angles = np.arccos(np.clip((radius + distances - lap) / radius, -1.0, 1.0))
-        return bool((drops * angles).sum() < rules.limit * drops.sum())
+        return np.asarray((drops * angles).sum(axis=0) < rules.limit * drops.sum())
 
     return _largest(is_below, distances[0] + 2 * radius)
 
 
-def _largest(holds: Callable[[float], bool], most: float) -> float:
-    """Return the largest value in [0, `most`] up to which something holds."""
-    low, high = 0.0, most
-    if holds(high):
-        return high
+def _largest(holds: Callable[[Floats], NDArray[np.bool_]], most: Floats) -> Floats:
+    """Return the largest values in [0, `most`] up to which something holds, each for itself."""
+    low, high = np.zeros(np.shape(most)), np.asarray(most, dtype=float)
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        if holds(middle):
-            low = middle
-        else:
-            high = middle
+        found = holds(middle)
+        low, high = np.where(found, middle, low), np.where(found, high, middle)
     return low
 
 

@@ -56,7 +56,7 @@ HOPELESS_LEVELS = 1.8
 CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
 #: A start with more links than the best so far is taken if it is faster by this share: where a
 #: stroke leaves a wall the engagement jumps, and links wear the machine.
-TIE = 0.07
+TIE = 0.06
 #: Strokes at the mouths of bridges begin and end so much early and late, over R.
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
