@@ -70,7 +70,8 @@ class Piece:
 def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
     """Return the floor as a polygon in the plane.
 
-    Holes in the floor, from whose rim no wall rises, are no islands and are filled.
+    Holes in the floor, from whose rim no wall rises or one from a part of it, are no islands and
+    are filled.
 
     Parameters
     ----------
@@ -116,7 +117,7 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
 
 
 def holes(floor: Floor, sag: float) -> list[Polygon]:
-    """Return the holes in a floor, from whose rim no wall rises, a sag too large or small."""
+    """Return the holes in a floor that are no islands, a sag too large or small."""
     from shapely import Polygon
 
     outer = floor.face.OuterWire
@@ -128,8 +129,8 @@ def holes(floor: Floor, sag: float) -> list[Polygon]:
 
 
 def is_island(floor: Floor, wire: Any) -> bool:
-    """Return whether a wall rises from the inner wire `wire`; else it is a hole in the floor."""
-    return any(wall_rises(floor.neighbors, floor.face, e) for e in wire.Edges)
+    """Return whether a wall rises all along the inner wire `wire`; else it is a hole."""
+    return all(wall_rises(floor.neighbors, floor.face, e) for e in wire.Edges)
 
 
 def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floats:

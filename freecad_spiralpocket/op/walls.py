@@ -124,9 +124,13 @@ class Walls:
         return found
 
     def _in_holes(self) -> Iterator[Any]:
-        """Yield the faces that rise past the floor within a hole in it, as those of a post do."""
+        """Yield the faces that rise past the floor within a hole in it, as those of a post do.
+
+        Walls that rise from a part of the hole's rim are among them.
+        """
         floor = self._floor
-        holes = shapely.union_all(geometry.holes(floor, self._sag))
+        # the walls on the rim itself may be a sag off
+        holes = shapely.union_all(geometry.holes(floor, self._sag)).buffer(self._sag)
         if holes.is_empty:
             return
         shapely.prepare(holes)

@@ -230,6 +230,40 @@ def test_what_stands_up_through_a_hole_in_the_floor_is_an_island(doc, high):
     assert on_floor.max() < 0.01
 
 
+def plate_with_a_hole():
+    return block(area(rectangle(60, 40, 6)), below=8.0).cut(
+        Part.makeCylinder(8, 40, Vector(30, 20, -30))
+    )
+
+
+def half_a_rim(low, high=0.0):
+    """Return a wall around half of the hole, `low` wide at the floor and 3 mm at Z `high`."""
+    rim = Part.makeCone(8 + low, 11, high + DEPTH, Vector(30, 20, -DEPTH))
+    hole = Part.makeCylinder(8, 40, Vector(30, 20, -30))
+    return rim.cut(hole).common(Part.makeBox(30, 40, 40, Vector(0, 0, -30)))
+
+
+WALLS_AT_A_HOLE = {
+    "rim": lambda: half_a_rim(3.001),
+    "low rim": lambda: half_a_rim(3.001, -2.0),
+    "rim with draft": lambda: half_a_rim(4.0),
+    "bar into it": lambda: Part.makeBox(14, 8, 14, Vector(34, 16, -14)),
+    "web across it": lambda: Part.makeBox(40, 8, 14, Vector(10, 16, -14)),
+}
+
+
+@pytest.mark.parametrize("name", WALLS_AT_A_HOLE)
+def test_a_hole_with_a_wall_on_a_part_of_its_rim_is_free_beside_that(doc, name):
+    shape = plate_with_a_hole().fuse(WALLS_AT_A_HOLE[name]()).removeSplitter().Solids[0]
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=3.0)
+    assert len(gouges_of(op, shape)) == 0
+    heights = Stock(Surface(shape), (6.5, 6.5, 53.5, 33.5), 0.7)
+    heights.cut(places(motion(op), 0.3), 3.0 + SCALLOP)
+    # in the sharp corners beside a bar or a web the round cutter leaves a little
+    standing = (heights.part <= -DEPTH) & (heights.heights > -DEPTH + 0.01)
+    assert standing.sum() * heights.pixel**2 < 1.0 + op.UncutArea
+
+
 def turned_ledge():
     """Return a ledge all around whose part's own sides lie over the pocket by their boxes."""
     shape = stepped_block()
