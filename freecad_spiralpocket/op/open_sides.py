@@ -19,7 +19,7 @@ from shapely import MultiPoint, Polygon
 from ..engine.region import grow, polygons_of
 from . import geometry
 from .selection import Floor, wall_rises
-from .slices import looks_down, over, shadow, solid_section, triangles_of
+from .slices import over, overhang, shadow, solid_section
 
 #: The center goes so far beyond the stock, over R: down there in the air, with some room.
 BEYOND = 2.0
@@ -113,7 +113,7 @@ class OpenSides:
         if not faces:
             return Polygon()
         here = shapely.intersection(solid_section(solid, z, self._sag), self._around)
-        return shapely.union(here, shadow(map(triangles_of, filter(looks_down, faces)), z))
+        return shapely.union(here, shadow((overhang(face, self._around, z) for face in faces), z))
 
 
 def lines_of(floor: Floor, sag: float) -> list[list[geometry.Piece]]:

@@ -27,6 +27,8 @@ from .selection import SAME_HEIGHT, Floor
 from .slices import ABOVE
 from .walls import Walls
 
+#: The height of a rim on a top that is not level is found as well as this [mm].
+RIM = 0.02
 #: Sections that differ by no more than this many sags are one.
 ALIKE = 2.0
 
@@ -88,7 +90,7 @@ class _Shapes:
     def __init__(self, floor: Floor, walls: Walls, others: Sequence[Floor], top: float) -> None:
         self._floor, self._walls = floor, walls
         self._flats = sorted(walls.ledges(floor.z, top + ABOVE), reverse=True)
-        self._rim = float("inf")
+        self._rim = self._open_from = float("inf")
         faces = [(o.z, o.face) for o in others if o.solid.isSame(floor.solid)]
         for z, place in self._flats:
             taken = any(abs(oz - z) < SAME_HEIGHT and _has(face, place, z) for oz, face in faces)
@@ -104,7 +106,19 @@ class _Shapes:
             free = self._walls.free(height)
             if free is not None:
                 return free
-        free = self._walls.free(self._floor.z)
+        return self._at_rim(z)
+
+    def _at_rim(self, z: float) -> Polygon:
+        """Return the pocket at its rim, where the walls are not closed at Z `z` any more."""
+        low, high = self._floor.z, min(z, self._open_from)
+        while high - low > RIM:
+            middle = (low + high) / 2
+            if self._walls.free(middle) is None:
+                high = middle
+            else:
+                low = middle
+        self._open_from = high
+        free = self._walls.free(low)
         return self._walls.outline if free is None else free
 
     def ledges(self, low: float) -> list[float]:

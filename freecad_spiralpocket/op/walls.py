@@ -29,14 +29,13 @@ from .slices import (
     cuts,
     is_level,
     is_vertical,
-    looks_down,
     over,
+    overhang,
     place_on,
     polygons_in,
     section,
     shadow,
     solid_section,
-    triangles_of,
 )
 
 #: Free ground that comes so far from the solid leads out of it [mm].
@@ -73,9 +72,9 @@ class Walls:
             standing = _islands(section(posts, floor.z, sag, self._outline), self._outline)
             self._outline = polygons_of(shapely.difference(self._outline, standing))[0]
         self._free: dict[float, Polygon | None] = {}
-        self._down: dict[int, bool] = {}
-        self._tessellated: dict[int, np.ndarray] = {}
+        self._overhangs: dict[int, tuple[Polygon, np.ndarray]] = {}
         self._plain: dict[float, bool] = {}
+        self._core: Polygon | None = None
         reached = list(self._reached(posts))
         self._around = [self._neighbors.faces[face] for face in reached]
         self._heights = [self._neighbors.heights(face) for face in reached]
@@ -188,47 +187,62 @@ class Walls:
         return not self._use_outline or wire.isSame(self._floor.face.OuterWire)
 
     def _find_free(self, z: float) -> Polygon | None:
-        if z <= self._floor.z + SAME_HEIGHT:
-            free = self._outline
-        elif self._fence is not None:
-            inside = self._fenced(z)
-            if inside is None:
-                return None
-            free = inside
-        else:
-            around = section(self._around, z, self._sag)
-            outlines = [p for r in around if signed_area(r) > 0 for p in polygons_in(r)]
-            outlines = [p for p in outlines if p.intersects(self._outline)]
-            if not outlines:
-                return None
-            free = max(outlines, key=lambda p: p.intersection(self._outline).area)
-            if not self._use_outline:
-                known = {face.hashCode() for face in self._around}
-                faces = over(self._floor.solid.Faces, free, z)
-                inside = (f for f in faces if f.hashCode() not in known)
-                rings = [*around, *section(inside, z, self._sag, free)]
-                free = shapely.difference(free, _islands(rings, free))
-        above = filter(self._looks_down, over(self._floor.solid.Faces, free, z))
-        free = shapely.difference(free, shadow(map(self._triangles, above), z))
-        parts = [p for p in polygons_of(free) if p.intersects(self._outline)]
-        if not parts:
-            return Polygon()
-        inside = Polygon(parts[0].exterior) if self._use_outline else parts[0]
+        inside = self._find_inside(z)
+        if inside is None or inside.is_empty:
+            return inside
+        inside = Polygon(inside.exterior) if self._use_outline else inside
         return inside if self._open is None else self._open.widened(inside, z)
 
-    def _looks_down(self, face: Any) -> bool:
-        key = face.hashCode()
-        if key not in self._down:
-            self._down[key] = looks_down(face)
-        return self._down[key]
+    def _find_inside(self, z: float) -> Polygon | None:
+        """Return what is free within the walls and the floor's edge at open sides.
 
-    def _triangles(self, face: Any) -> np.ndarray:
-        key = face.hashCode()
-        if key not in self._tessellated:
-            self._tessellated[key] = triangles_of(face)
-        return self._tessellated[key]
+        Of several parts, as a bridge leaves them, it is the one that is largest at the floor.
+        """
+        core = self._outline
+        if z <= self._floor.z + SAME_HEIGHT:
+            free = self._outline
+        else:
+            if self._core is None:
+                self._core = self._find_inside(self._floor.z) or self._outline
+            core = self._core
+            around = self._fenced(z, core) if self._fence is not None else self._walled(z, core)
+            if around is None:
+                return None
+            free = around
+        above = (self._overhang(f, free) for f in over(self._floor.solid.Faces, free, z))
+        free = shapely.difference(free, shadow(above, z))
+        parts = [p for p in polygons_of(free) if p.intersects(self._outline)]
+        return max(parts, key=lambda p: p.intersection(core).area, default=Polygon())
 
-    def _fenced(self, z: float) -> Polygon | None:
+    def _walled(self, z: float, core: Polygon) -> Polygon | None:
+        """Return what is free within the walls around `core`, None where they are not closed."""
+        around = section(self._around, z, self._sag)
+        outlines = [p for r in around if signed_area(r) > 0 for p in polygons_in(r)]
+        outlines = [p for p in outlines if p.intersects(self._outline)]
+        if not outlines:
+            return None
+        free = max(outlines, key=lambda p: p.intersection(core).area)
+        if self._use_outline:
+            return free
+        known = {face.hashCode() for face in self._around}
+        faces = over(self._floor.solid.Faces, free, z)
+        inside = (f for f in faces if f.hashCode() not in known)
+        rings = [*around, *section(inside, z, self._sag, free)]
+        return shapely.difference(free, _islands(rings, free))
+
+    def _overhang(self, face: Any, free: Polygon) -> np.ndarray:
+        """Return what of a face looks down over free ground, as triangles."""
+        key, area = face.hashCode(), shapely.box(*free.bounds)
+        if key in self._overhangs:
+            known, triangles = self._overhangs[key]
+            if known.covers(area):
+                return triangles
+            area = shapely.box(*shapely.total_bounds([known, area]))
+        triangles = overhang(face, area, self._floor.z)
+        self._overhangs[key] = area, triangles
+        return triangles
+
+    def _fenced(self, z: float, core: Polygon) -> Polygon | None:
         """Return what is free up to the fence at the floor's open sides, None if it leaks."""
         solid = solid_section(self._floor.solid, z, self._sag)
         box = self._floor.solid.BoundBox
@@ -239,7 +253,7 @@ class Walls:
         posts = shapely.intersection(fence, free).buffer(ABOVE)
         posts = [p for p in shapely.get_parts(posts) if p.intersects(self._outline)]
         parts = polygons_of(shapely.difference(free, shapely.union_all(posts)))
-        inside = max(parts, key=lambda p: p.intersection(self._outline).area)
+        inside = max(parts, key=lambda p: p.intersection(core).area)
         return None if inside.intersects(outside.exterior) else inside
 
 

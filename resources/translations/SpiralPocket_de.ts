@@ -867,8 +867,8 @@
         <translation>Neben den Spiralen bleiben mehr als {0} Umläufe.</translation>
     </message>
     <message>
-        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
-        <translation>Diese Operation hinter die mit dem größeren Fräser schieben oder UseRestMachining ausschalten.</translation>
+        <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
+        <translation>Diese Operation hinter die mit dem größeren Fräser schieben oder UseRestMachining ausschalten. Nur flache Schaftfräser zählen: runde hinterlassen Rillen.</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>

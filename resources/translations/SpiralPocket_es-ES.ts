@@ -867,8 +867,8 @@
         <translation>Quedan más de {0} vueltas junto a las espirales.</translation>
     </message>
     <message>
-        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
-        <translation>Mueva esta operación detrás de la de la fresa mayor, o desactive UseRestMachining.</translation>
+        <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
+        <translation>Mueva esta operación detrás de la de la fresa mayor, o desactive UseRestMachining. Solo cuentan las fresas planas: las redondas dejan crestas.</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>

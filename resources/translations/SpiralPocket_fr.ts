@@ -867,8 +867,8 @@
         <translation>Il reste plus de {0} tours à côté des spirales.</translation>
     </message>
     <message>
-        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
-        <translation>Placez cette opération après celle de la plus grande fraise, ou désactivez UseRestMachining.</translation>
+        <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
+        <translation>Placez cette opération après celle de la plus grande fraise, ou désactivez UseRestMachining. Seules comptent les fraises plates : les rondes laissent des crêtes.</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>

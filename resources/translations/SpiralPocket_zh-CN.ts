@@ -867,8 +867,8 @@
         <translation>螺线旁仍剩超过 {0} 圈。</translation>
     </message>
     <message>
-        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
-        <translation>请将此操作移到使用大刀具的操作之后，或关闭 UseRestMachining。</translation>
+        <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
+        <translation>请将此操作移到使用大刀具的操作之后，或关闭 UseRestMachining。只有平底立铣刀才算数：圆头刀会留下残脊。</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>

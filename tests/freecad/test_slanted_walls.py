@@ -203,11 +203,22 @@ def test_a_hole_drilled_across_a_wall_is_no_way_under_it(doc):
         assert section.pocket.bounds[2] < 50.01
 
 
-def test_a_bridge_over_the_pocket_is_kept_clear_of(doc):
+@pytest.mark.parametrize("x", [40.0, 26.0])  # of what it leaves on both sides either is the larger
+def test_a_bridge_over_the_pocket_is_kept_clear_of(doc, x):
     shape = block(area(rectangle(60, 30, 5)))
-    shape = shape.fuse(Part.makeBox(8, 40, 2, Vector(40, -5, -3))).removeSplitter()
+    shape = shape.fuse(Part.makeBox(8, 40, 2, Vector(x, -5, -3))).removeSplitter()
     op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0)
     assert len(gouges_of(op, shape)) == 0
+
+
+def test_all_levels_are_on_the_same_side_of_a_bridge(doc):
+    shape = block(area(rectangle(60, 30, 5)))
+    bar = Part.makeCylinder(4, 40, Vector(30, -5, -2), Vector(0, 1, 0))
+    shape = shape.fuse(bar).removeSplitter()
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0)
+    assert len(gouges_of(op, shape)) == 0
+    sides = {section.pocket.centroid.x > 30 for section in op.Proxy.plans[0].request.sections}
+    assert len(sides) == 1
 
 
 def test_holes_in_the_floor_are_no_islands(doc):
@@ -306,6 +317,29 @@ def test_a_slanted_pocket_open_at_a_side_stays_within_its_floor_there(doc):
     assert len(plan.request.sections) == 3
     assert any("open at a side" in notice for notice in op.Notices)
     assert len(gouges_of(op, shape)) == 0
+
+
+def sloping_block():
+    """Return a drafted pocket in a part whose top slopes."""
+    above = Part.makeBox(120, 100, 40, Vector(-40, -40, 0))
+    above.rotate(Vector(-40, 15, 0), Vector(0, 1, 0), 3)
+    return slanted_block((15, 15, 15, 15), DEPTH, 40.0, 30.0, 6.0).cut(above)
+
+
+def bar_with_draft():
+    """Return a drafted pocket in a lying bar."""
+    bar = Part.makeCylinder(30, 100, Vector(-30, 15, -28), Vector(1, 0, 0))
+    return slanted_block((15, 15, 15, 15), 14.0, 40.0, 20.0, 6.0).common(bar)
+
+
+@pytest.mark.parametrize(("shape", "depth"), [(sloping_block, DEPTH), (bar_with_draft, 14.0)])
+def test_above_a_rim_that_is_not_level_the_pocket_goes_no_narrower(doc, shape, depth):
+    solid = shape()
+    op = cut(doc, solid, -depth, diameter=6.0, StepDown=2.0)
+    assert len(gouges_of(op, solid)) == 0 and op.UncutArea < 0.05
+    sections = op.Proxy.plans[0].request.sections
+    areas = [section.pocket.area for section in sections]
+    assert areas == sorted(areas, reverse=True) and areas[0] > 1.01 * areas[-1]
 
 
 def test_stock_above_the_part_is_cut_in_the_shape_of_the_rim(doc):

@@ -71,3 +71,38 @@ def test_a_piece_that_freecad_leaves_out_is_found_a_hair_higher():
     (ring,) = slices.section([walls[0], skipping, *walls[2:]], 5.0, SAG)
     assert Polygon(ring).area == pytest.approx(100)
     assert max(abs(z - 5.0) for z in skipping.heights) < 0.005
+
+
+def bored_through_a_ball():
+    return Part.makeSphere(12).cut(Part.makeCylinder(4, 40, Vector(0, 0, -20))), -5.0
+
+
+def cut_torus():
+    slot = Part.makeBox(140, 16, 40, Vector(-70, -8, -2))
+    return Part.makeTorus(20, 6).cut(slot), -4.0
+
+
+@pytest.mark.parametrize("shape", [bored_through_a_ball, cut_torus])
+def test_what_hangs_over_a_place_is_the_same_without_the_rest_of_the_face(shape):
+    solid, z = shape()
+    place = box(-1, 3, 13, 14)
+    bent = [face for face in solid.Faces if not isinstance(face.Surface, Part.Plane)]
+    near = [slices.overhang(face, place, z) for face in bent]
+    whole = [slices.triangles_of(face) for face in bent]
+    found, wanted = (slices.shadow(t, z).intersection(place) for t in (near, whole))
+    assert wanted.area > 1.0
+    assert found.symmetric_difference(wanted).area < 0.05
+    assert sum(map(len, near)) < 0.5 * sum(map(len, whole))
+
+
+def test_what_looks_up_above_a_place_needs_no_triangles():
+    solid = Part.makeTorus(20, 6)
+    assert not len(slices.overhang(solid.Faces[0], box(-30, -30, 30, 30), 2.0))
+
+
+def test_a_face_that_ends_at_a_height_hangs_over_nothing_there():
+    side = Part.makeLine(Vector(0, 0, 0), Vector(10, 0, 0)).extrude(Vector(0, 3, 5))
+    triangles = slices.overhang(side, box(-5, -5, 15, 15), -1.0)
+    assert len(triangles)
+    assert slices.shadow([triangles], 5.0).is_empty
+    assert slices.shadow([triangles], 4.0).area == pytest.approx(10 * 0.6, rel=0.1)
