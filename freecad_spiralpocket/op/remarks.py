@@ -137,8 +137,8 @@ def rest(share: float) -> Notice:
     if share < LEAST_SHARE:
         return Notice(
             "No earlier operation has cleared any of this pocket down to its floor; all is cut.",
-            "Move this operation behind the one with the larger end mill, or unset UseRestMachining. "
-            "Only flat end mills count: round ones leave ridges.",
+            "Move this operation behind the one with the larger end mill, or unset "
+            "UseRestMachining. Only flat end mills count: round ones leave ridges.",
         )
     return Notice(
         f"Earlier operations have cleared {int(100 * share)} % of this pocket; the rest is cut.",
