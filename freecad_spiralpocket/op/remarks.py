@@ -12,6 +12,8 @@ from .selection import SAME_HEIGHT
 
 #: A smaller share of a pocket that was cleared before is none.
 LEAST_SHARE = 0.001
+#: A smaller part of the floor under leaning walls is not told [mm2].
+TOLD_OVERHANG = 0.5
 
 
 def depths(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
@@ -129,6 +131,18 @@ def overhang(area: float) -> Notice:
     return Notice(
         f"Walls lean over the floor; {area:.0f} mm2 of it below them stay uncut.",
         "Machine that part from another side, or with an undercutting tool.",
+    )
+
+
+def others(area: float) -> Notice:
+    """Tell of another part of the job in the pocket, and how much floor it covers [mm2]."""
+    hint = "Take that part out of the job's model if it is not there when the pocket is cut."
+    if area > TOLD_OVERHANG:
+        return Notice(
+            f"Another part of the job covers {area:.0f} mm2 of the floor; that stays uncut.", hint
+        )
+    return Notice(
+        "Another part of the job stands in the pocket or over it; the cutter keeps off that.", hint
     )
 
 

@@ -62,21 +62,27 @@ def fitted(
         return wanted
     shapes = _Shapes(floor, walls, others, heights.start_depth)
     if not shapes.at(wanted.floor).area:
-        raise _overhung(floor)
+        raise _overhung(floor, walls)
     low, stock = max(floor.z, wanted.floor), wanted.cutting.floor_stock
     ledges = [z + stock for z in shapes.ledges(low)]
     tops = [heights.start_depth, *floors(heights, stock, ledges)]
     sections = shapes.sections(tops, {z: z - stock for z in ledges}, ALIKE * sag)
     if any(s.pocket.is_empty for s in sections):  # of a floor as narrow as a hair
-        raise _overhung(floor)
+        raise _overhung(floor, walls)
     pocket = sections[-1].pocket
     if all(s.pocket is pocket and s.mouth is None for s in sections):
         sections = ()
     return replace(wanted, pocket=pocket, sections=sections)
 
 
-def _overhung(floor: Floor) -> CutterDoesNotFitError:
+def _overhung(floor: Floor, walls: Walls) -> CutterDoesNotFitError:
     center = floor.face.CenterOfMass
+    if walls.are_others_inside:
+        return CutterDoesNotFitError(
+            "Another part of the job covers the whole floor; no cutter gets there from above.",
+            "Take that part out of the job's model.",
+            (center.x, center.y),
+        )
     return CutterDoesNotFitError(
         "The part overhangs the whole floor; no cutter gets there from above.",
         "Turn the part over, or machine it from another side.",

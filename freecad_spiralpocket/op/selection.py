@@ -12,7 +12,7 @@ wrong: an L-shaped side face of a boss is higher than the floor around it, and l
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,6 +28,8 @@ from .seams import SAME_HEIGHT
 LEVEL_TOLERANCE = 1e-4
 #: Smaller parts of a normal are taken as tangent.
 _TANGENT = 1e-3
+#: Copies of a solid may differ by so much, over its volume.
+SAME_VOLUME = 1e-6
 #: Step from an edge into the floor [mm].
 _ASIDE = 1e-3
 
@@ -222,6 +224,32 @@ def depth_limits(base: list[tuple[Any, Any]], stock: Any) -> dict[str, float]:
         "OpFinalDepth": floor,
         "OpStartDepth": top if top > floor else floor + 1.0,
     }
+
+
+def others(floor: Floor, solids: Iterable[Any]) -> list[Any]:
+    """Return which of a job's solids are others than the floor's and may reach over it."""
+    own = floor.solid.BoundBox
+    found = []
+    for solid in solids:
+        box = solid.BoundBox
+        beside = box.XMax < own.XMin or box.XMin > own.XMax
+        beside = beside or box.YMax < own.YMin or box.YMin > own.YMax
+        if not beside and box.ZMax > floor.z + SAME_HEIGHT and not _are_same(solid, floor.solid):
+            found.append(solid)
+    return found
+
+
+def _are_same(one: Any, other: Any) -> bool:
+    """Return whether two solids are the same, maybe in different copies or without seams."""
+    if one.isSame(other):
+        return True
+    a, b = one.BoundBox, other.BoundBox
+    if not all(
+        abs(getattr(a, name) - getattr(b, name)) < SAME_HEIGHT
+        for name in ("XMin", "XMax", "YMin", "YMax", "ZMin", "ZMax")
+    ):
+        return False
+    return bool(abs(one.Volume - other.Volume) <= SAME_VOLUME * abs(other.Volume))
 
 
 def _element(shape: Any, where: str, name: str) -> Any:

@@ -139,6 +139,15 @@ def overhang(face: Any, area: shapely.Geometry, z: float) -> np.ndarray:
     return np.concatenate([none, *map(triangles_of, filter(looks_down, parts))])
 
 
+def standing(solid: Any, area: shapely.Geometry, z: float, sag: float) -> shapely.Geometry:
+    """Return the ground near an area on which, or under which, a solid is at `z` or higher."""
+    faces = list(over(solid.Faces, area, z))
+    if not faces:
+        return Polygon()
+    here = shapely.intersection(solid_section(solid, z, sag), shapely.box(*area.bounds))
+    return shapely.union(here, shadow((overhang(face, area, z) for face in faces), z))
+
+
 def triangles_of(face: Any) -> np.ndarray:
     """Return what of a face looks down, or hardly up, as triangles, shape (n, 3, 3) [mm].
 

@@ -4,7 +4,8 @@
 A flat cutter at a height needs the room that is free there and at every height above.
 So the free area is the section of the walls at that height, less the shadow of all that
 overhangs it. Only the walls that can be reached from the floor over common edges are
-cut to find the outline; then whatever else of the solid stands inside it.
+cut to find the outline; then whatever else of the solid stands inside it. Other solids of
+the job that stand in the pocket or hang over it are kept off like its own islands.
 
 What is free at a side without a wall ends at a fence along the floor's own edge, and what
 open_sides.py adds lies beyond it.
@@ -36,6 +37,7 @@ from .slices import (
     section,
     shadow,
     solid_section,
+    standing,
 )
 
 #: Free ground that comes so far from the solid leads out of it [mm].
@@ -54,6 +56,13 @@ class Walls:
         Leave out all islands.
     open_sides : OpenSides, optional
         What is added beyond the floor's open sides.
+    others : sequence of Part.Solid
+        That must not be cut either.
+
+    Attributes
+    ----------
+    are_others_inside : bool
+        Whether one of the others stands in the pocket or hangs over its floor.
     """
 
     def __init__(
@@ -63,14 +72,15 @@ class Walls:
         *,
         use_outline: bool = False,
         open_sides: OpenSides | None = None,
+        others: Sequence[Any] = (),
     ) -> None:
         self._floor, self._sag, self._use_outline = floor, sag, use_outline
         self._neighbors = floor.neighbors
         self._outline = geometry.polygon(floor, sag, use_outline=use_outline)
         posts = [] if use_outline else list(self._in_holes())
         if posts:
-            standing = _islands(section(posts, floor.z, sag, self._outline), self._outline)
-            self._outline = polygons_of(shapely.difference(self._outline, standing))[0]
+            islands = _islands(section(posts, floor.z, sag, self._outline), self._outline)
+            self._outline = polygons_of(shapely.difference(self._outline, islands))[0]
         self._free: dict[float, Polygon | None] = {}
         self._overhangs: dict[int, tuple[Polygon, np.ndarray]] = {}
         self._plain: dict[float, bool] = {}
@@ -80,9 +90,12 @@ class Walls:
         self._heights = [self._neighbors.heights(face) for face in reached]
         self._fence = _fence(floor, sag) if floor.open_edges else None
         self._open = open_sides
-        self._widened = self._outline
+        self._others = others
+        inside = shapely.intersection(self._others_at(floor.z, self._outline), self._outline)
+        self.are_others_inside = not shapely.buffer(inside, -sag).is_empty
+        self._widened = self._less_others_standing(self._outline)
         if open_sides is not None:
-            self._widened = open_sides.widened(self._outline, floor.z)
+            self._widened = open_sides.widened(self._widened, floor.z)
 
     @property
     def outline(self) -> Polygon:
@@ -96,6 +109,8 @@ class Walls:
 
     def are_plain(self, top: float) -> bool:
         """Return whether all walls are vertical and rise to Z `top`, or end together below it."""
+        if self.are_others_inside:
+            return False
         rim = min(top, max((high for _, high in self._heights), default=top))
         if rim not in self._plain:
             self._plain[rim] = all(
@@ -116,7 +131,8 @@ class Walls:
     def ledges(self, low: float, high: float) -> list[tuple[float, tuple[float, float]]]:
         """Return Z and a place (x, y) on each level face that looks up between two heights."""
         found = []
-        for face in self._floor.solid.Faces:
+        solids = [self._floor.solid, *self._others]
+        for face in (face for solid in solids for face in solid.Faces):
             z = face.BoundBox.ZMin
             if low + SAME_HEIGHT < z < high - SAME_HEIGHT and is_level(face):
                 found.append((z, place_on(face)))
@@ -190,7 +206,6 @@ class Walls:
         inside = self._find_inside(z)
         if inside is None or inside.is_empty:
             return inside
-        inside = Polygon(inside.exterior) if self._use_outline else inside
         return inside if self._open is None else self._open.widened(inside, z)
 
     def _find_inside(self, z: float) -> Polygon | None:
@@ -210,8 +225,15 @@ class Walls:
                 return None
             free = around
         above = (self._overhang(f, free) for f in over(self._floor.solid.Faces, free, z))
-        free = shapely.difference(free, shadow(above, z))
-        parts = [p for p in polygons_of(free) if p.intersects(self._outline)]
+        free = self._part_at(core, shapely.difference(free, shadow(above, z)))
+        if self._use_outline:
+            free = Polygon(free.exterior)
+        others = self._others_at(z, free)
+        return free if others.is_empty else self._part_at(core, shapely.difference(free, others))
+
+    def _part_at(self, core: Polygon, ground: shapely.Geometry) -> Polygon:
+        """Return the part of ground that has most of `core`; empty if none meets the floor."""
+        parts = [p for p in polygons_of(ground) if p.intersects(self._outline)]
         return max(parts, key=lambda p: p.intersection(core).area, default=Polygon())
 
     def _walled(self, z: float, core: Polygon) -> Polygon | None:
@@ -229,6 +251,19 @@ class Walls:
         inside = (f for f in faces if f.hashCode() not in known)
         rings = [*around, *section(inside, z, self._sag, free)]
         return shapely.difference(free, _islands(rings, free))
+
+    def _others_at(self, z: float, area: Polygon) -> shapely.Geometry:
+        """Return the ground near an area on or under which other solids are at `z` or higher."""
+        found = [standing(s, area, z, self._sag) for s in self._others if not area.is_empty]
+        return shapely.union_all(found)
+
+    def _less_others_standing(self, outline: Polygon) -> Polygon:
+        """Return the floor's outline without what others stand on, as it is if they take it all."""
+        if not self.are_others_inside:
+            return outline
+        z = self._floor.z
+        feet = shapely.union_all([solid_section(s, z, self._sag) for s in self._others])
+        return next(iter(polygons_of(shapely.difference(outline, feet))), outline)
 
     def _overhang(self, face: Any, free: Polygon) -> np.ndarray:
         """Return what of a face looks down over free ground, as triangles."""

@@ -679,6 +679,18 @@
         <translation>Das Werkstück zum Modell des Auftrags hinzufügen.</translation>
     </message>
     <message>
+        <source>Another part of the job covers the whole floor; no cutter gets there from above.</source>
+        <translation>Ein anderes Teil des Auftrags verdeckt den ganzen Boden; von oben kommt kein Fräser hin.</translation>
+    </message>
+    <message>
+        <source>Another part of the job covers {0} mm2 of the floor; that stays uncut.</source>
+        <translation>Ein anderes Teil des Auftrags verdeckt {0} mm2 des Bodens; das bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>Another part of the job stands in the pocket or over it; the cutter keeps off that.</source>
+        <translation>Ein anderes Teil des Auftrags steht in der Tasche oder über ihr; der Fräser hält sich davon fern.</translation>
+    </message>
+    <message>
         <source>At Z{0} the pocket reaches under a wall.</source>
         <translation>Bei Z{0} reicht die Tasche unter eine Wand.</translation>
     </message>
@@ -1105,6 +1117,14 @@
     <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>Einen breiteren Fräser oder eine größere seitliche Zustellung nehmen.</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model if it is not there when the pocket is cut.</source>
+        <translation>Das Teil aus dem Modell des Auftrags nehmen, wenn es beim Fräsen der Tasche nicht da ist.</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model.</source>
+        <translation>Das Teil aus dem Modell des Auftrags nehmen.</translation>
     </message>
     <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>

@@ -679,6 +679,18 @@
         <translation>Añada la pieza al modelo del trabajo.</translation>
     </message>
     <message>
+        <source>Another part of the job covers the whole floor; no cutter gets there from above.</source>
+        <translation>Otra pieza del trabajo cubre todo el fondo; ninguna fresa llega desde arriba.</translation>
+    </message>
+    <message>
+        <source>Another part of the job covers {0} mm2 of the floor; that stays uncut.</source>
+        <translation>Otra pieza del trabajo cubre {0} mm2 del fondo; eso queda sin cortar.</translation>
+    </message>
+    <message>
+        <source>Another part of the job stands in the pocket or over it; the cutter keeps off that.</source>
+        <translation>Otra pieza del trabajo está en la cajera o sobre ella; la fresa la evita.</translation>
+    </message>
+    <message>
         <source>At Z{0} the pocket reaches under a wall.</source>
         <translation>En Z{0} la cajera queda bajo una pared.</translation>
     </message>
@@ -1105,6 +1117,14 @@
     <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>Tome una fresa mayor o un paso lateral mayor.</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model if it is not there when the pocket is cut.</source>
+        <translation>Quite esa pieza del modelo del trabajo si no está ahí cuando se corta la cajera.</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model.</source>
+        <translation>Quite esa pieza del modelo del trabajo.</translation>
     </message>
     <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>

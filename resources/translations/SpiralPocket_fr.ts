@@ -679,6 +679,18 @@
         <translation>Ajoutez la pièce au modèle de la tâche.</translation>
     </message>
     <message>
+        <source>Another part of the job covers the whole floor; no cutter gets there from above.</source>
+        <translation>Une autre pièce de la tâche couvre tout le fond ; aucune fraise n'y accède par le haut.</translation>
+    </message>
+    <message>
+        <source>Another part of the job covers {0} mm2 of the floor; that stays uncut.</source>
+        <translation>Une autre pièce de la tâche couvre {0} mm2 du fond ; cela n'est pas usiné.</translation>
+    </message>
+    <message>
+        <source>Another part of the job stands in the pocket or over it; the cutter keeps off that.</source>
+        <translation>Une autre pièce de la tâche se trouve dans la poche ou au-dessus ; la fraise l'évite.</translation>
+    </message>
+    <message>
         <source>At Z{0} the pocket reaches under a wall.</source>
         <translation>À Z{0} la poche passe sous une paroi.</translation>
     </message>
@@ -1105,6 +1117,14 @@
     <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>Prenez une fraise plus grosse ou un pas plus grand.</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model if it is not there when the pocket is cut.</source>
+        <translation>Retirez cette pièce du modèle de la tâche si elle n'est pas là pendant l'usinage de la poche.</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model.</source>
+        <translation>Retirez cette pièce du modèle de la tâche.</translation>
     </message>
     <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>

@@ -679,6 +679,18 @@
         <translation>请将零件加入作业的模型。</translation>
     </message>
     <message>
+        <source>Another part of the job covers the whole floor; no cutter gets there from above.</source>
+        <translation>作业中的另一个零件盖住了整个底面；刀具无法从上方到达。</translation>
+    </message>
+    <message>
+        <source>Another part of the job covers {0} mm2 of the floor; that stays uncut.</source>
+        <translation>作业中的另一个零件盖住了 {0} mm2 的底面；该部分不切削。</translation>
+    </message>
+    <message>
+        <source>Another part of the job stands in the pocket or over it; the cutter keeps off that.</source>
+        <translation>作业中的另一个零件位于型腔内或其上方；刀具会避开它。</translation>
+    </message>
+    <message>
         <source>At Z{0} the pocket reaches under a wall.</source>
         <translation>在 Z{0} 处型腔伸到侧壁下方。</translation>
     </message>
@@ -1105,6 +1117,14 @@
     <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>请用更大的刀具或步距。</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model if it is not there when the pocket is cut.</source>
+        <translation>如果切削型腔时该零件不在那里，请将其从作业模型中移除。</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model.</source>
+        <translation>请将该零件从作业模型中移除。</translation>
     </message>
     <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
