@@ -181,7 +181,7 @@ def floor(
             )
         solid, face = whole
         neighbors = Neighbors(solid)
-    edges = face.OuterWire.Edges
+    edges = outer_wire(face).Edges
     walled = sum(wall_rises(neighbors, face, e) for e in edges)
     if not walled and not any(wall_rises(neighbors, face, e) for e in face.Edges):
         raise SelectionError(
@@ -302,6 +302,16 @@ def _solid_of(
         f"The part with {where} is an open shell, not a closed solid.",
         "Close it first (Part workbench, Check Geometry and Convert to Solid).",
     )
+
+
+def outer_wire(face: Any) -> Any:
+    """Return the wire around a flat face.
+
+    FreeCAD 0.20 mistakes one for it that lies inside and touches it.
+    """
+    if face.countSubElements("Wire") == 1:
+        return face.OuterWire
+    return max(face.Wires, key=lambda wire: wire.BoundBox.DiagonalLength)
 
 
 def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:

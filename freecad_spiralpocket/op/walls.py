@@ -24,7 +24,7 @@ from ..engine.points import signed_area
 from ..engine.region import polygons_of
 from . import geometry
 from .open_sides import OpenSides, lines_of
-from .selection import SAME_HEIGHT, Floor, wall_rises
+from .selection import SAME_HEIGHT, Floor, outer_wire, wall_rises
 from .slices import (
     ABOVE,
     cuts,
@@ -200,7 +200,7 @@ class Walls:
         return not any(wall_rises(neighbors, flat, e) for e in higher)
 
     def _is_wall(self, wire: Any) -> bool:
-        return not self._use_outline or wire.isSame(self._floor.face.OuterWire)
+        return not self._use_outline or wire.isSame(outer_wire(self._floor.face))
 
     def _find_free(self, z: float) -> Polygon | None:
         inside = self._find_inside(z)
