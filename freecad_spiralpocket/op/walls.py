@@ -42,6 +42,10 @@ from .slices import (
 
 #: Free ground that comes so far from the solid leads out of it [mm].
 FENCE = 1.0
+#: What a bridge leaves on its sides is taken for a pocket if it is wider than this [mm].
+NARROWEST = 1.0
+#: And is one polygon by ways this wide [mm], which no cutter can take.
+HAIR = 1e-3
 
 
 class Walls:
@@ -85,6 +89,7 @@ class Walls:
         self._overhangs: dict[int, tuple[Polygon, np.ndarray]] = {}
         self._plain: dict[float, bool] = {}
         self._core: Polygon | None = None
+        self._hairs: list[Polygon] = []
         reached = list(self._reached(posts))
         self._around = [self._neighbors.faces[face] for face in reached]
         self._heights = [self._neighbors.heights(face) for face in reached]
@@ -211,11 +216,11 @@ class Walls:
     def _find_inside(self, z: float) -> Polygon | None:
         """Return what is free within the walls and the floor's edge at open sides.
 
-        Of several parts, as a bridge leaves them, it is the one that is largest at the floor.
+        Where a bridge leaves several parts at the floor these are joined by hairs.
         """
         core = self._outline
         if z <= self._floor.z + SAME_HEIGHT:
-            free = self._outline
+            free: shapely.Geometry = self._outline
         else:
             if self._core is None:
                 self._core = self._find_inside(self._floor.z) or self._outline
@@ -225,25 +230,32 @@ class Walls:
                 return None
             free = around
         above = (self._overhang(f, free) for f in over(self._floor.solid.Faces, free, z))
-        free = self._part_at(core, shapely.difference(free, shadow(above, z)))
+        free = shapely.difference(free, shadow(above, z))
         if self._use_outline:
-            free = Polygon(free.exterior)
-        others = self._others_at(z, free)
-        return free if others.is_empty else self._part_at(core, shapely.difference(free, others))
+            free = shapely.union_all([Polygon(part.exterior) for part in polygons_of(free)])
+        if self._others and not free.is_empty:
+            free = shapely.difference(free, self._others_at(z, free))
+        parts = self._parts_at(core, free)
+        if self._core is None and len(parts) > 1:
+            self._hairs = _hairs(parts)
+        return next(iter(polygons_of(shapely.union_all([*parts, *self._hairs]))), Polygon())
 
-    def _part_at(self, core: Polygon, ground: shapely.Geometry) -> Polygon:
-        """Return the part of ground that has most of `core`; empty if none meets the floor."""
+    def _parts_at(self, core: Polygon, ground: shapely.Geometry) -> list[Polygon]:
+        """Return the parts of ground that have some of `core`, the one with most of it first."""
         parts = [p for p in polygons_of(ground) if p.intersects(self._outline)]
-        return max(parts, key=lambda p: p.intersection(core).area, default=Polygon())
+        shares = [shapely.intersection(part, core) for part in parts]
+        wide = [not shapely.buffer(share, -NARROWEST / 2).is_empty for share in shares]
+        order = sorted(range(len(parts)), key=lambda i: -shares[i].area)
+        return [parts[i] for n, i in enumerate(order) if n == 0 or wide[i]]
 
-    def _walled(self, z: float, core: Polygon) -> Polygon | None:
+    def _walled(self, z: float, core: Polygon) -> shapely.Geometry | None:
         """Return what is free within the walls around `core`, None where they are not closed."""
         around = section(self._around, z, self._sag)
         outlines = [p for r in around if signed_area(r) > 0 for p in polygons_in(r)]
-        outlines = [p for p in outlines if p.intersects(self._outline)]
+        outlines = self._parts_at(core, shapely.MultiPolygon(outlines))
         if not outlines:
             return None
-        free = max(outlines, key=lambda p: p.intersection(core).area)
+        free = shapely.union_all(outlines)
         if self._use_outline:
             return free
         known = {face.hashCode() for face in self._around}
@@ -252,7 +264,7 @@ class Walls:
         rings = [*around, *section(inside, z, self._sag, free)]
         return shapely.difference(free, _islands(rings, free))
 
-    def _others_at(self, z: float, area: Polygon) -> shapely.Geometry:
+    def _others_at(self, z: float, area: shapely.Geometry) -> shapely.Geometry:
         """Return the ground near an area on or under which other solids are at `z` or higher."""
         found = [standing(s, area, z, self._sag) for s in self._others if not area.is_empty]
         return shapely.union_all(found)
@@ -265,7 +277,7 @@ class Walls:
         feet = shapely.union_all([solid_section(s, z, self._sag) for s in self._others])
         return next(iter(polygons_of(shapely.difference(outline, feet))), outline)
 
-    def _overhang(self, face: Any, free: Polygon) -> np.ndarray:
+    def _overhang(self, face: Any, free: shapely.Geometry) -> np.ndarray:
         """Return what of a face looks down over free ground, as triangles."""
         key, area = face.hashCode(), shapely.box(*free.bounds)
         if key in self._overhangs:
@@ -277,7 +289,7 @@ class Walls:
         self._overhangs[key] = area, triangles
         return triangles
 
-    def _fenced(self, z: float, core: Polygon) -> Polygon | None:
+    def _fenced(self, z: float, core: Polygon) -> shapely.Geometry | None:
         """Return what is free up to the fence at the floor's open sides, None if it leaks."""
         solid = solid_section(self._floor.solid, z, self._sag)
         box = self._floor.solid.BoundBox
@@ -287,18 +299,27 @@ class Walls:
         fence = shapely.difference(self._fence, self._outline.buffer(-ABOVE))
         posts = shapely.intersection(fence, free).buffer(ABOVE)
         posts = [p for p in shapely.get_parts(posts) if p.intersects(self._outline)]
-        parts = polygons_of(shapely.difference(free, shapely.union_all(posts)))
-        inside = max(parts, key=lambda p: p.intersection(core).area)
+        parts = self._parts_at(core, shapely.difference(free, shapely.union_all(posts)))
+        inside = shapely.union_all(parts)
         return None if inside.intersects(outside.exterior) else inside
 
 
-def _islands(rings: list[np.ndarray], free: Polygon) -> shapely.Geometry:
+def _islands(rings: list[np.ndarray], free: shapely.Geometry) -> shapely.Geometry:
     """Return what stands within the rings of a section that may be islands in free ground.
 
     The part's own outside is such a ring too, and all around the pocket.
     """
     inside = [p for r in rings if signed_area(r) < 0 for p in polygons_in(r)]
     return shapely.union_all([p for p in inside if p.area < free.area])
+
+
+def _hairs(parts: Sequence[Polygon]) -> list[Polygon]:
+    """Return the shortest ways that join parts, each to those before it."""
+    hairs = []
+    for n, part in enumerate(parts[1:], start=1):
+        way = shapely.shortest_line(shapely.union_all(parts[:n]), part)
+        hairs.append(shapely.buffer(way, HAIR / 2, cap_style="square"))
+    return hairs
 
 
 def _fence(floor: Floor, sag: float) -> shapely.Geometry:
