@@ -64,7 +64,8 @@ class Pockets:
         self._overhung: dict[int, float] = {}
         self._shared: dict[int, bool] = {}
         self.plans: list[Plan] = []
-        self._shapes = [model.Shape for model in parent_job(obj).Model.Group]
+        shapes = (getattr(model, "Shape", None) for model in parent_job(obj).Model.Group)
+        self._shapes = [shape for shape in shapes if shape is not None and not shape.isNull()]
         groups = seams.groups(selection.selected(obj.Base))
         self._selected = [floor for group in groups for floor in self._floors_of(*group)]
 
@@ -184,6 +185,7 @@ class Pockets:
         floors: Sequence[selection.Floor],
     ) -> PocketRequest:
         """Return the request for the pocket above a floor, one of those selected."""
+        selection.check_stock(floor, self._obj, parent_job(self._obj).Stock.Shape.BoundBox)
         sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
         beyond = self._open_sides(floor, sag)
         shapes = self._shapes

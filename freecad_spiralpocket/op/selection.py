@@ -19,7 +19,7 @@ from typing import Any
 import FreeCAD
 import Part
 
-from ..engine.errors import SelectionError
+from ..engine.errors import SelectionError, SetupError
 from . import seams
 from .compat import STALE_ELEMENT_ERRORS, PathUtil
 from .seams import SAME_HEIGHT
@@ -224,6 +224,21 @@ def depth_limits(base: list[tuple[Any, Any]], stock: Any) -> dict[str, float]:
         "OpFinalDepth": floor,
         "OpStartDepth": top if top > floor else floor + 1.0,
     }
+
+
+def check_stock(floor: Floor, obj: Any, stock: Any) -> None:
+    """Check that a floor is not so far above the stock that the operation's heights are too low.
+
+    Raises
+    ------
+    SetupError
+    """
+    above = floor.z - stock.ZMax
+    if above > SAME_HEIGHT and obj.SafeHeight.Value < obj.StartDepth.Value:
+        raise SetupError(
+            f"The selected floor lies {above:.3g} mm above the stock.",
+            "Look whether the stock is where it should be.",
+        )
 
 
 def others(floor: Floor, solids: Iterable[Any]) -> list[Any]:

@@ -1283,6 +1283,10 @@
         <translation>Die Wand der Tasche bei {at} ist für Lineares Morphen zu zackig oder zu eng.</translation>
     </message>
     <message>
+        <source>The selected floor lies {0} mm above the stock.</source>
+        <translation>Der gewählte Boden liegt {0} mm über dem Rohteil.</translation>
+    </message>
+    <message>
         <source>The selected floor lies {0} mm below the stock.</source>
         <translation>Der gewählte Boden liegt {0} mm unter dem Rohteil.</translation>
     </message>

@@ -1283,6 +1283,10 @@
         <translation>La pared de la cajera cerca de {at} es demasiado dentada o estrecha para Transición lineal.</translation>
     </message>
     <message>
+        <source>The selected floor lies {0} mm above the stock.</source>
+        <translation>El fondo elegido está {0} mm por encima del material.</translation>
+    </message>
+    <message>
         <source>The selected floor lies {0} mm below the stock.</source>
         <translation>El fondo elegido está {0} mm por debajo del material.</translation>
     </message>

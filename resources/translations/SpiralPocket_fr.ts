@@ -1283,6 +1283,10 @@
         <translation>La paroi de la poche près de {at} est trop dentelée ou trop étroite pour le Morphing linéaire.</translation>
     </message>
     <message>
+        <source>The selected floor lies {0} mm above the stock.</source>
+        <translation>Le fond choisi est à {0} mm au-dessus du brut.</translation>
+    </message>
+    <message>
         <source>The selected floor lies {0} mm below the stock.</source>
         <translation>Le fond choisi est à {0} mm sous le brut.</translation>
     </message>

@@ -1283,6 +1283,10 @@
         <translation>{at} 附近的型腔侧壁对“线性渐变”过于参差或过窄。</translation>
     </message>
     <message>
+        <source>The selected floor lies {0} mm above the stock.</source>
+        <translation>所选底面在毛坯以上 {0} mm。</translation>
+    </message>
+    <message>
         <source>The selected floor lies {0} mm below the stock.</source>
         <translation>所选底面在毛坯以下 {0} mm。</translation>
     </message>
