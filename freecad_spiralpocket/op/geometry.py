@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.errors import SelectionError
-from .selection import Floor, wall_rises
+from .selection import Floor, outer_wire, wall_rises
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -70,7 +70,8 @@ class Piece:
 def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
     """Return the floor as a polygon in the plane.
 
-    Holes in the floor, from whose rim no wall rises, are no islands and are filled.
+    Holes in the floor, from whose rim no wall rises or one from a part of it, are no islands and
+    are filled.
 
     Parameters
     ----------
@@ -93,9 +94,7 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
     import shapely
     from shapely import Polygon
 
-    from ..engine.region import polygons_of
-
-    outer = floor.face.OuterWire
+    outer = outer_wire(floor.face)
     rings = [_ring(outer, sag, floor.label, counter_clockwise=True)]
     if not use_outline:
         for wire in floor.face.Wires:
@@ -103,10 +102,10 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
                 rings.append(_ring(wire, sag, floor.label, counter_clockwise=False))
     result = Polygon(rings[0], rings[1:])
     if not result.is_valid:
-        # chords may cross where an edge comes to another tangentially, as in a cusp
-        result, *rest = polygons_of(shapely.make_valid(result)) or [Polygon()]
-        if any(not part.buffer(-sag).is_empty for part in rest):
-            result = Polygon()
+        outline, *islands = (_filled(ring, sag) for ring in rings)
+        is_sound = not any(part.is_empty for part in (outline, *islands))
+        result = _largest(shapely.difference(outline, shapely.union_all(islands)), sag)
+        result = result if is_sound else Polygon()
     if result.is_empty:
         raise SelectionError(
             f"The outline of {floor.label} crosses itself.",
@@ -115,11 +114,30 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
     return result
 
 
-def holes(floor: Floor, sag: float) -> list[Polygon]:
-    """Return the holes in a floor, from whose rim no wall rises, a sag too large or small."""
+def _filled(ring: Floats, sag: float) -> Polygon:
+    """Return what a ring encloses; empty if it crosses itself."""
+    import shapely
     from shapely import Polygon
 
-    outer = floor.face.OuterWire
+    # chords may cross where an edge comes to another tangentially, as in a cusp
+    return _largest(shapely.make_valid(Polygon(ring)), sag)
+
+
+def _largest(shape: Any, sag: float) -> Polygon:
+    """Return the largest polygon in a shape; empty if others are wider than twice the sag."""
+    from shapely import Polygon
+
+    from ..engine.region import polygons_of
+
+    first, *rest = polygons_of(shape) or [Polygon()]
+    return Polygon() if any(not part.buffer(-sag).is_empty for part in rest) else first
+
+
+def holes(floor: Floor, sag: float) -> list[Polygon]:
+    """Return the holes in a floor that are no islands, a sag too large or small."""
+    from shapely import Polygon
+
+    outer = outer_wire(floor.face)
     return [
         Polygon(_ring(wire, sag, floor.label, counter_clockwise=True)).buffer(0)
         for wire in floor.face.Wires
@@ -128,8 +146,8 @@ def holes(floor: Floor, sag: float) -> list[Polygon]:
 
 
 def is_island(floor: Floor, wire: Any) -> bool:
-    """Return whether a wall rises from the inner wire `wire`; else it is a hole in the floor."""
-    return any(wall_rises(floor.neighbors, floor.face, e) for e in wire.Edges)
+    """Return whether a wall rises all along the inner wire `wire`; else it is a hole."""
+    return all(wall_rises(floor.neighbors, floor.face, e) for e in wire.Edges)
 
 
 def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floats:

@@ -18,8 +18,8 @@ from shapely import MultiPoint, Polygon
 
 from ..engine.region import grow, polygons_of
 from . import geometry
-from .selection import Floor, wall_rises
-from .slices import looks_down, over, shadow, solid_section, triangles_of
+from .selection import Floor, outer_wire, wall_rises
+from .slices import standing
 
 #: The center goes so far beyond the stock, over R: down there in the air, with some room.
 BEYOND = 2.0
@@ -100,27 +100,19 @@ class OpenSides:
     def _ways(self, filled: Polygon, strips: shapely.Geometry, z: float) -> shapely.Geometry:
         """Return where the center may be in strips and beside them in the floor."""
         if z not in self._kept_off:
-            standing = [self._standing(solid, z) for solid in self._solids]
-            self._kept_off[z] = grow(shapely.union_all(standing), self._inset + APART)
+            found = [standing(solid, self._around, z, self._sag) for solid in self._solids]
+            self._kept_off[z] = grow(shapely.union_all(found), self._inset + APART)
         inside = shapely.intersection(filled, shapely.buffer(self._edge, self._inset))
         centers = shapely.difference(shapely.union(strips, inside), self._kept_off[z])
         near = shapely.buffer(self._edge, OVERLAP)
         return shapely.union_all([p for p in polygons_of(centers) if p.intersects(near)])
-
-    def _standing(self, solid: Any, z: float) -> shapely.Geometry:
-        """Return the ground near the strips on or under which a solid stands or hangs at `z`."""
-        faces = list(over(solid.Faces, self._around, z))
-        if not faces:
-            return Polygon()
-        here = shapely.intersection(solid_section(solid, z, self._sag), self._around)
-        return shapely.union(here, shadow(map(triangles_of, filter(looks_down, faces)), z))
 
 
 def lines_of(floor: Floor, sag: float) -> list[list[geometry.Piece]]:
     """Return the edges of a floor from which no wall rises, each as pieces from end to end."""
     return [
         geometry.pieces_of(edge, sag)
-        for edge in floor.face.OuterWire.Edges
+        for edge in outer_wire(floor.face).Edges
         if not wall_rises(floor.neighbors, floor.face, edge)
     ]
 

@@ -22,9 +22,6 @@ SAG_SHARE = 0.2
 #: Limits of the sag [mm]: a tolerance of 0 is refused later, a wide one must not lose arcs.
 SAG_RANGE = (1e-4, 0.02)
 
-#: A smaller part of the floor under leaning walls is not told [mm2].
-TOLD_OVERHANG = 0.5
-
 #: Plans many pockets: called with their requests and a progress, returns for each a plan or what
 #: is the matter with it; raises `CancelledError` if the progress says so.
 Planner: TypeAlias = Callable[
@@ -65,7 +62,10 @@ class Pockets:
         self._failures: list[tuple[str, SpiralPocketError]] = []
         self._deepest = min(selection.heights(obj.Base), default=0.0)
         self._overhung: dict[int, float] = {}
+        self._shared: dict[int, bool] = {}
         self.plans: list[Plan] = []
+        shapes = (getattr(model, "Shape", None) for model in parent_job(obj).Model.Group)
+        self._shapes = [shape for shape in shapes if shape is not None and not shape.isNull()]
         groups = seams.groups(selection.selected(obj.Base))
         self._selected = [floor for group in groups for floor in self._floors_of(*group)]
 
@@ -185,12 +185,19 @@ class Pockets:
         floors: Sequence[selection.Floor],
     ) -> PocketRequest:
         """Return the request for the pocket above a floor, one of those selected."""
+        selection.check_stock(floor, self._obj, parent_job(self._obj).Stock.Shape.BoundBox)
         sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
         beyond = self._open_sides(floor, sag)
-        key = (id(floor), sag, self._obj.UseOutline, beyond and id(beyond))
+        shapes = self._shapes
+        codes = (shape.hashCode() for shape in shapes)
+        key = (id(floor), sag, self._obj.UseOutline, beyond and id(beyond), *codes)
         if key not in self._known:
             self._known[key] = walls.Walls(
-                floor, sag, use_outline=self._obj.UseOutline, open_sides=beyond
+                floor,
+                sag,
+                use_outline=self._obj.UseOutline,
+                open_sides=beyond,
+                others=selection.others(floor, (s for shape in shapes for s in shape.Solids)),
             )
         above = self._known[key]
         depth = request.final_depth(self._obj, floor.z, self._deepest)
@@ -199,6 +206,7 @@ class Pockets:
         others = [other for other in floors if other is not floor]
         fitted = sections.fitted(wanted, floor, above, others, sag)
         self._overhung[id(floor)] = above.outline.area - fitted.pocket.area
+        self._shared[id(floor)] = above.are_others_inside
         if self._obj.UseRestMachining:
             return rest.rest_of(fitted, self._obj, self._known)
         return fitted
@@ -207,8 +215,7 @@ class Pockets:
         """Return the floor's open sides if the cutter goes beyond them, else None."""
         if not (floor.open_edges and self._obj.ExtendOpenSides):
             return None
-        job = parent_job(self._obj)
-        shapes = [model.Shape for model in job.Model.Group]
+        job, shapes = parent_job(self._obj), self._shapes
         radius, left = self._obj.OpToolDiameter.Value / 2, self._obj.StockToLeave.Value
         stock = open_sides.outline_of_stock(job.Stock.Shape)
         key = (id(floor), sag, radius, left, stock.wkb, *(shape.hashCode() for shape in shapes))
@@ -238,8 +245,11 @@ class Pockets:
         found = remarks.depths(wanted, floor.z, self._obj)
         if floor.open_edges:
             found.append(remarks.open_sides(wanted))
-        if self._overhung[id(floor)] > TOLD_OVERHANG:
-            found.append(remarks.overhang(self._overhung[id(floor)]))
+        overhung = self._overhung[id(floor)]
+        if self._shared[id(floor)]:
+            found.append(remarks.others(overhung))
+        elif overhung > remarks.TOLD_OVERHANG:
+            found.append(remarks.overhang(overhung))
         if self._obj.UseRestMachining:
             found.append(remarks.rest(rest.share_cleared(wanted)))
         return [self._labelled(floor, notice) for notice in found]

@@ -12,6 +12,8 @@ from .selection import SAME_HEIGHT
 
 #: A smaller share of a pocket that was cleared before is none.
 LEAST_SHARE = 0.001
+#: A smaller part of the floor under leaning walls is not told [mm2].
+TOLD_OVERHANG = 0.5
 
 
 def depths(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
@@ -132,12 +134,25 @@ def overhang(area: float) -> Notice:
     )
 
 
+def others(area: float) -> Notice:
+    """Tell of another part of the job in the pocket, and how much floor it covers [mm2]."""
+    hint = "Take that part out of the job's model if it is not there when the pocket is cut."
+    if area > TOLD_OVERHANG:
+        return Notice(
+            f"Another part of the job covers {area:.0f} mm2 of the floor; that stays uncut.", hint
+        )
+    return Notice(
+        "Another part of the job stands in the pocket or over it; the cutter keeps off that.", hint
+    )
+
+
 def rest(share: float) -> Notice:
     """Tell which share of a pocket was cleared before, in [0, 1]."""
     if share < LEAST_SHARE:
         return Notice(
             "No earlier operation has cleared any of this pocket down to its floor; all is cut.",
-            "Move this operation behind the one with the larger cutter, or unset UseRestMachining.",
+            "Move this operation behind the one with the larger end mill, or unset "
+            "UseRestMachining. Only flat end mills count: round ones leave ridges.",
         )
     return Notice(
         f"Earlier operations have cleared {int(100 * share)} % of this pocket; the rest is cut.",

@@ -27,6 +27,8 @@ from .selection import SAME_HEIGHT, Floor
 from .slices import ABOVE
 from .walls import Walls
 
+#: The height of a rim on a top that is not level is found as well as this [mm].
+RIM = 0.02
 #: Sections that differ by no more than this many sags are one.
 ALIKE = 2.0
 
@@ -60,21 +62,27 @@ def fitted(
         return wanted
     shapes = _Shapes(floor, walls, others, heights.start_depth)
     if not shapes.at(wanted.floor).area:
-        raise _overhung(floor)
+        raise _overhung(floor, walls)
     low, stock = max(floor.z, wanted.floor), wanted.cutting.floor_stock
     ledges = [z + stock for z in shapes.ledges(low)]
     tops = [heights.start_depth, *floors(heights, stock, ledges)]
     sections = shapes.sections(tops, {z: z - stock for z in ledges}, ALIKE * sag)
     if any(s.pocket.is_empty for s in sections):  # of a floor as narrow as a hair
-        raise _overhung(floor)
+        raise _overhung(floor, walls)
     pocket = sections[-1].pocket
     if all(s.pocket is pocket and s.mouth is None for s in sections):
         sections = ()
     return replace(wanted, pocket=pocket, sections=sections)
 
 
-def _overhung(floor: Floor) -> CutterDoesNotFitError:
+def _overhung(floor: Floor, walls: Walls) -> CutterDoesNotFitError:
     center = floor.face.CenterOfMass
+    if walls.are_others_inside:
+        return CutterDoesNotFitError(
+            "Another part of the job covers the whole floor; no cutter gets there from above.",
+            "Take that part out of the job's model.",
+            (center.x, center.y),
+        )
     return CutterDoesNotFitError(
         "The part overhangs the whole floor; no cutter gets there from above.",
         "Turn the part over, or machine it from another side.",
@@ -88,7 +96,7 @@ class _Shapes:
     def __init__(self, floor: Floor, walls: Walls, others: Sequence[Floor], top: float) -> None:
         self._floor, self._walls = floor, walls
         self._flats = sorted(walls.ledges(floor.z, top + ABOVE), reverse=True)
-        self._rim = float("inf")
+        self._rim = self._open_from = float("inf")
         faces = [(o.z, o.face) for o in others if o.solid.isSame(floor.solid)]
         for z, place in self._flats:
             taken = any(abs(oz - z) < SAME_HEIGHT and _has(face, place, z) for oz, face in faces)
@@ -104,7 +112,19 @@ class _Shapes:
             free = self._walls.free(height)
             if free is not None:
                 return free
-        free = self._walls.free(self._floor.z)
+        return self._at_rim(z)
+
+    def _at_rim(self, z: float) -> Polygon:
+        """Return the pocket at its rim, where the walls are not closed at Z `z` any more."""
+        low, high = self._floor.z, min(z, self._open_from)
+        while high - low > RIM:
+            middle = (low + high) / 2
+            if self._walls.free(middle) is None:
+                high = middle
+            else:
+                low = middle
+        self._open_from = high
+        free = self._walls.free(low)
         return self._walls.outline if free is None else free
 
     def ledges(self, low: float) -> list[float]:

@@ -12,14 +12,14 @@ wrong: an L-shaped side face of a boss is higher than the floor around it, and l
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import FreeCAD
 import Part
 
-from ..engine.errors import SelectionError
+from ..engine.errors import SelectionError, SetupError
 from . import seams
 from .compat import STALE_ELEMENT_ERRORS, PathUtil
 from .seams import SAME_HEIGHT
@@ -28,6 +28,8 @@ from .seams import SAME_HEIGHT
 LEVEL_TOLERANCE = 1e-4
 #: Smaller parts of a normal are taken as tangent.
 _TANGENT = 1e-3
+#: Copies of a solid may differ by so much, over its volume.
+SAME_VOLUME = 1e-6
 #: Step from an edge into the floor [mm].
 _ASIDE = 1e-3
 
@@ -179,7 +181,7 @@ def floor(
             )
         solid, face = whole
         neighbors = Neighbors(solid)
-    edges = face.OuterWire.Edges
+    edges = outer_wire(face).Edges
     walled = sum(wall_rises(neighbors, face, e) for e in edges)
     if not walled and not any(wall_rises(neighbors, face, e) for e in face.Edges):
         raise SelectionError(
@@ -222,6 +224,47 @@ def depth_limits(base: list[tuple[Any, Any]], stock: Any) -> dict[str, float]:
         "OpFinalDepth": floor,
         "OpStartDepth": top if top > floor else floor + 1.0,
     }
+
+
+def check_stock(floor: Floor, obj: Any, stock: Any) -> None:
+    """Check that a floor is not so far above the stock that the operation's heights are too low.
+
+    Raises
+    ------
+    SetupError
+    """
+    above = floor.z - stock.ZMax
+    if above > SAME_HEIGHT and obj.SafeHeight.Value < obj.StartDepth.Value:
+        raise SetupError(
+            f"The selected floor lies {above:.3g} mm above the stock.",
+            "Look whether the stock is where it should be.",
+        )
+
+
+def others(floor: Floor, solids: Iterable[Any]) -> list[Any]:
+    """Return which of a job's solids are others than the floor's and may reach over it."""
+    own = floor.solid.BoundBox
+    found = []
+    for solid in solids:
+        box = solid.BoundBox
+        beside = box.XMax < own.XMin or box.XMin > own.XMax
+        beside = beside or box.YMax < own.YMin or box.YMin > own.YMax
+        if not beside and box.ZMax > floor.z + SAME_HEIGHT and not _are_same(solid, floor.solid):
+            found.append(solid)
+    return found
+
+
+def _are_same(one: Any, other: Any) -> bool:
+    """Return whether two solids are the same, maybe in different copies or without seams."""
+    if one.isSame(other):
+        return True
+    a, b = one.BoundBox, other.BoundBox
+    if not all(
+        abs(getattr(a, name) - getattr(b, name)) < SAME_HEIGHT
+        for name in ("XMin", "XMax", "YMin", "YMax", "ZMin", "ZMax")
+    ):
+        return False
+    return bool(abs(one.Volume - other.Volume) <= SAME_VOLUME * abs(other.Volume))
 
 
 def _element(shape: Any, where: str, name: str) -> Any:
@@ -274,6 +317,16 @@ def _solid_of(
         f"The part with {where} is an open shell, not a closed solid.",
         "Close it first (Part workbench, Check Geometry and Convert to Solid).",
     )
+
+
+def outer_wire(face: Any) -> Any:
+    """Return the wire around a flat face.
+
+    FreeCAD 0.20 mistakes one for it that lies inside and touches it.
+    """
+    if face.countSubElements("Wire") == 1:
+        return face.OuterWire
+    return max(face.Wires, key=lambda wire: wire.BoundBox.DiagonalLength)
 
 
 def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:

@@ -38,6 +38,12 @@ PLACES = 9
 SHADOW_SAG = 5e-3
 #: A part of a triangle's normal up to this may be none of its face's.
 HARDLY_UP = 0.1
+#: Faces that become few triangles, since they bend one way at most.
+BEND_ONCE = (Part.Plane, Part.Cylinder, Part.Cone, Part.SurfaceOfExtrusion)
+#: All others are cut off so far around the area for which they are asked [mm].
+ASIDE = 1.0
+#: What is cut off and what stays may differ by so much from the whole face, over that.
+SAME_AREA = 1e-3
 
 UP = FreeCAD.Vector(0, 0, 1)
 
@@ -111,10 +117,41 @@ def solid_section(solid: Any, z: float, sag: float) -> shapely.Geometry:
     return reduce(shapely.symmetric_difference, areas, Polygon())
 
 
+def overhang(face: Any, area: shapely.Geometry, z: float) -> np.ndarray:
+    """Return what of a face looks down over the bounds of an area above `z`, and maybe more.
+
+    Parameters
+    ----------
+    face : Part.Face
+    area : shapely.Geometry
+    z : float
+        [mm]
+
+    Returns
+    -------
+    ndarray of shape (n, 3, 3)
+        Triangles by their corners [mm].
+    """
+    none = np.empty((0, 3, 3))
+    if not looks_down(face):
+        return none
+    parts = [face] if isinstance(face.Surface, BEND_ONCE) else _clipped(face, area.bounds, z)
+    return np.concatenate([none, *map(triangles_of, filter(looks_down, parts))])
+
+
+def standing(solid: Any, area: shapely.Geometry, z: float, sag: float) -> shapely.Geometry:
+    """Return the ground near an area on which, or under which, a solid is at `z` or higher."""
+    faces = list(over(solid.Faces, area, z))
+    if not faces:
+        return Polygon()
+    here = shapely.intersection(solid_section(solid, z, sag), shapely.box(*area.bounds))
+    return shapely.union(here, shadow((overhang(face, area, z) for face in faces), z))
+
+
 def triangles_of(face: Any) -> np.ndarray:
     """Return what of a face looks down, or hardly up, as triangles, shape (n, 3, 3) [mm].
 
-    It takes long where the face bends both ways.
+    It takes long where a large face bends both ways.
     """
     corners, index = face.tessellate(SHADOW_SAG)
     points = np.array([tuple(c) for c in corners]).reshape(-1, 3)
@@ -134,11 +171,29 @@ def triangles_of(face: Any) -> np.ndarray:
 
 def shadow(faces: Iterable[np.ndarray], z: float) -> shapely.Geometry:
     """Return the ground under faces, given as triangles, as far as they are above `z`."""
-    corners = [piece[:, :, :2] for face in faces for piece in _above(face, z)]
+    # what ends at that height, as the side of a part below an open slot, hangs over nothing
+    corners = [piece[:, :, :2] for face in faces for piece in _above(face, z + ABOVE)]
     shadows = [shapely.convex_hull(shapely.multipoints(c)) for c in corners if len(c)]
     ground = shapely.union_all([shapely.union_all(part) for part in shadows])
     # a hair, so that what is vertical has an area and is no sliver
     return ground.buffer(SHADOW_SAG, quad_segs=2)
+
+
+def _clipped(face: Any, bounds: tuple[float, float, float, float], z: float) -> list[Any]:
+    """Return the parts of a face in bounds (xmin, ymin, xmax, ymax) above `z`, and a little more.
+
+    That is the whole face where FreeCAD loses something of it.
+    """
+    box = face.BoundBox
+    x0, y0, x1, y1 = (b + ASIDE * sign for b, sign in zip(bounds, (-1, -1, 1, 1), strict=True))
+    if x0 < box.XMin and y0 < box.YMin and x1 > box.XMax and y1 > box.YMax and z < box.ZMin:
+        return [face]
+    low = z - ASIDE
+    corner = FreeCAD.Vector(x0, y0, low)
+    block = Part.makeBox(x1 - x0, y1 - y0, max(box.ZMax - low, 0.0) + ASIDE, corner)
+    inside, outside = face.common(block), face.cut(block)
+    is_whole = abs(inside.Area + outside.Area - face.Area) <= SAME_AREA * face.Area
+    return list(inside.Faces) if is_whole else [face]
 
 
 def is_level(face: Any) -> bool:

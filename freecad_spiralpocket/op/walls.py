@@ -4,7 +4,8 @@
 A flat cutter at a height needs the room that is free there and at every height above.
 So the free area is the section of the walls at that height, less the shadow of all that
 overhangs it. Only the walls that can be reached from the floor over common edges are
-cut to find the outline; then whatever else of the solid stands inside it.
+cut to find the outline; then whatever else of the solid stands inside it. Other solids of
+the job that stand in the pocket or hang over it are kept off like its own islands.
 
 What is free at a side without a wall ends at a fence along the floor's own edge, and what
 open_sides.py adds lies beyond it.
@@ -23,24 +24,28 @@ from ..engine.points import signed_area
 from ..engine.region import polygons_of
 from . import geometry
 from .open_sides import OpenSides, lines_of
-from .selection import SAME_HEIGHT, Floor, wall_rises
+from .selection import SAME_HEIGHT, Floor, outer_wire, wall_rises
 from .slices import (
     ABOVE,
     cuts,
     is_level,
     is_vertical,
-    looks_down,
     over,
+    overhang,
     place_on,
     polygons_in,
     section,
     shadow,
     solid_section,
-    triangles_of,
+    standing,
 )
 
 #: Free ground that comes so far from the solid leads out of it [mm].
 FENCE = 1.0
+#: What a bridge leaves on its sides is taken for a pocket if it is wider than this [mm].
+NARROWEST = 1.0
+#: And is one polygon by ways this wide [mm], which no cutter can take.
+HAIR = 1e-3
 
 
 class Walls:
@@ -55,6 +60,13 @@ class Walls:
         Leave out all islands.
     open_sides : OpenSides, optional
         What is added beyond the floor's open sides.
+    others : sequence of Part.Solid
+        That must not be cut either.
+
+    Attributes
+    ----------
+    are_others_inside : bool
+        Whether one of the others stands in the pocket or hangs over its floor.
     """
 
     def __init__(
@@ -64,26 +76,31 @@ class Walls:
         *,
         use_outline: bool = False,
         open_sides: OpenSides | None = None,
+        others: Sequence[Any] = (),
     ) -> None:
         self._floor, self._sag, self._use_outline = floor, sag, use_outline
         self._neighbors = floor.neighbors
         self._outline = geometry.polygon(floor, sag, use_outline=use_outline)
         posts = [] if use_outline else list(self._in_holes())
         if posts:
-            standing = _islands(section(posts, floor.z, sag, self._outline), self._outline)
-            self._outline = polygons_of(shapely.difference(self._outline, standing))[0]
+            islands = _islands(section(posts, floor.z, sag, self._outline), self._outline)
+            self._outline = polygons_of(shapely.difference(self._outline, islands))[0]
         self._free: dict[float, Polygon | None] = {}
-        self._down: dict[int, bool] = {}
-        self._tessellated: dict[int, np.ndarray] = {}
+        self._overhangs: dict[int, tuple[Polygon, np.ndarray]] = {}
         self._plain: dict[float, bool] = {}
+        self._core: Polygon | None = None
+        self._hairs: list[Polygon] = []
         reached = list(self._reached(posts))
         self._around = [self._neighbors.faces[face] for face in reached]
         self._heights = [self._neighbors.heights(face) for face in reached]
         self._fence = _fence(floor, sag) if floor.open_edges else None
         self._open = open_sides
-        self._widened = self._outline
+        self._others = others
+        inside = shapely.intersection(self._others_at(floor.z, self._outline), self._outline)
+        self.are_others_inside = not shapely.buffer(inside, -sag).is_empty
+        self._widened = self._less_others_standing(self._outline)
         if open_sides is not None:
-            self._widened = open_sides.widened(self._outline, floor.z)
+            self._widened = open_sides.widened(self._widened, floor.z)
 
     @property
     def outline(self) -> Polygon:
@@ -97,6 +114,8 @@ class Walls:
 
     def are_plain(self, top: float) -> bool:
         """Return whether all walls are vertical and rise to Z `top`, or end together below it."""
+        if self.are_others_inside:
+            return False
         rim = min(top, max((high for _, high in self._heights), default=top))
         if rim not in self._plain:
             self._plain[rim] = all(
@@ -117,16 +136,21 @@ class Walls:
     def ledges(self, low: float, high: float) -> list[tuple[float, tuple[float, float]]]:
         """Return Z and a place (x, y) on each level face that looks up between two heights."""
         found = []
-        for face in self._floor.solid.Faces:
+        solids = [self._floor.solid, *self._others]
+        for face in (face for solid in solids for face in solid.Faces):
             z = face.BoundBox.ZMin
             if low + SAME_HEIGHT < z < high - SAME_HEIGHT and is_level(face):
                 found.append((z, place_on(face)))
         return found
 
     def _in_holes(self) -> Iterator[Any]:
-        """Yield the faces that rise past the floor within a hole in it, as those of a post do."""
+        """Yield the faces that rise past the floor within a hole in it, as those of a post do.
+
+        Walls that rise from a part of the hole's rim are among them.
+        """
         floor = self._floor
-        holes = shapely.union_all(geometry.holes(floor, self._sag))
+        # the walls on the rim itself may be a sag off
+        holes = shapely.union_all(geometry.holes(floor, self._sag)).buffer(self._sag)
         if holes.is_empty:
             return
         shapely.prepare(holes)
@@ -181,50 +205,91 @@ class Walls:
         return not any(wall_rises(neighbors, flat, e) for e in higher)
 
     def _is_wall(self, wire: Any) -> bool:
-        return not self._use_outline or wire.isSame(self._floor.face.OuterWire)
+        return not self._use_outline or wire.isSame(outer_wire(self._floor.face))
 
     def _find_free(self, z: float) -> Polygon | None:
-        if z <= self._floor.z + SAME_HEIGHT:
-            free = self._outline
-        elif self._fence is not None:
-            inside = self._fenced(z)
-            if inside is None:
-                return None
-            free = inside
-        else:
-            around = section(self._around, z, self._sag)
-            outlines = [p for r in around if signed_area(r) > 0 for p in polygons_in(r)]
-            outlines = [p for p in outlines if p.intersects(self._outline)]
-            if not outlines:
-                return None
-            free = max(outlines, key=lambda p: p.intersection(self._outline).area)
-            if not self._use_outline:
-                known = {face.hashCode() for face in self._around}
-                faces = over(self._floor.solid.Faces, free, z)
-                inside = (f for f in faces if f.hashCode() not in known)
-                rings = [*around, *section(inside, z, self._sag, free)]
-                free = shapely.difference(free, _islands(rings, free))
-        above = filter(self._looks_down, over(self._floor.solid.Faces, free, z))
-        free = shapely.difference(free, shadow(map(self._triangles, above), z))
-        parts = [p for p in polygons_of(free) if p.intersects(self._outline)]
-        if not parts:
-            return Polygon()
-        inside = Polygon(parts[0].exterior) if self._use_outline else parts[0]
+        inside = self._find_inside(z)
+        if inside is None or inside.is_empty:
+            return inside
         return inside if self._open is None else self._open.widened(inside, z)
 
-    def _looks_down(self, face: Any) -> bool:
-        key = face.hashCode()
-        if key not in self._down:
-            self._down[key] = looks_down(face)
-        return self._down[key]
+    def _find_inside(self, z: float) -> Polygon | None:
+        """Return what is free within the walls and the floor's edge at open sides.
 
-    def _triangles(self, face: Any) -> np.ndarray:
-        key = face.hashCode()
-        if key not in self._tessellated:
-            self._tessellated[key] = triangles_of(face)
-        return self._tessellated[key]
+        Where a bridge leaves several parts at the floor these are joined by hairs.
+        """
+        core = self._outline
+        if z <= self._floor.z + SAME_HEIGHT:
+            free: shapely.Geometry = self._outline
+        else:
+            if self._core is None:
+                self._core = self._find_inside(self._floor.z) or self._outline
+            core = self._core
+            around = self._fenced(z, core) if self._fence is not None else self._walled(z, core)
+            if around is None:
+                return None
+            free = around
+        above = (self._overhang(f, free) for f in over(self._floor.solid.Faces, free, z))
+        free = shapely.difference(free, shadow(above, z))
+        if self._use_outline:
+            free = shapely.union_all([Polygon(part.exterior) for part in polygons_of(free)])
+        if self._others and not free.is_empty:
+            free = shapely.difference(free, self._others_at(z, free))
+        parts = self._parts_at(core, free)
+        if self._core is None and len(parts) > 1:
+            self._hairs = _hairs(parts)
+        return next(iter(polygons_of(shapely.union_all([*parts, *self._hairs]))), Polygon())
 
-    def _fenced(self, z: float) -> Polygon | None:
+    def _parts_at(self, core: Polygon, ground: shapely.Geometry) -> list[Polygon]:
+        """Return the parts of ground that have some of `core`, the one with most of it first."""
+        parts = [p for p in polygons_of(ground) if p.intersects(self._outline)]
+        shares = [shapely.intersection(part, core) for part in parts]
+        wide = [not shapely.buffer(share, -NARROWEST / 2).is_empty for share in shares]
+        order = sorted(range(len(parts)), key=lambda i: -shares[i].area)
+        return [parts[i] for n, i in enumerate(order) if n == 0 or wide[i]]
+
+    def _walled(self, z: float, core: Polygon) -> shapely.Geometry | None:
+        """Return what is free within the walls around `core`, None where they are not closed."""
+        around = section(self._around, z, self._sag)
+        outlines = [p for r in around if signed_area(r) > 0 for p in polygons_in(r)]
+        outlines = self._parts_at(core, shapely.MultiPolygon(outlines))
+        if not outlines:
+            return None
+        free = shapely.union_all(outlines)
+        if self._use_outline:
+            return free
+        known = {face.hashCode() for face in self._around}
+        faces = over(self._floor.solid.Faces, free, z)
+        inside = (f for f in faces if f.hashCode() not in known)
+        rings = [*around, *section(inside, z, self._sag, free)]
+        return shapely.difference(free, _islands(rings, free))
+
+    def _others_at(self, z: float, area: shapely.Geometry) -> shapely.Geometry:
+        """Return the ground near an area on or under which other solids are at `z` or higher."""
+        found = [standing(s, area, z, self._sag) for s in self._others if not area.is_empty]
+        return shapely.union_all(found)
+
+    def _less_others_standing(self, outline: Polygon) -> Polygon:
+        """Return the floor's outline without what others stand on, as it is if they take it all."""
+        if not self.are_others_inside:
+            return outline
+        z = self._floor.z
+        feet = shapely.union_all([solid_section(s, z, self._sag) for s in self._others])
+        return next(iter(polygons_of(shapely.difference(outline, feet))), outline)
+
+    def _overhang(self, face: Any, free: shapely.Geometry) -> np.ndarray:
+        """Return what of a face looks down over free ground, as triangles."""
+        key, area = face.hashCode(), shapely.box(*free.bounds)
+        if key in self._overhangs:
+            known, triangles = self._overhangs[key]
+            if known.covers(area):
+                return triangles
+            area = shapely.box(*shapely.total_bounds([known, area]))
+        triangles = overhang(face, area, self._floor.z)
+        self._overhangs[key] = area, triangles
+        return triangles
+
+    def _fenced(self, z: float, core: Polygon) -> shapely.Geometry | None:
         """Return what is free up to the fence at the floor's open sides, None if it leaks."""
         solid = solid_section(self._floor.solid, z, self._sag)
         box = self._floor.solid.BoundBox
@@ -234,18 +299,27 @@ class Walls:
         fence = shapely.difference(self._fence, self._outline.buffer(-ABOVE))
         posts = shapely.intersection(fence, free).buffer(ABOVE)
         posts = [p for p in shapely.get_parts(posts) if p.intersects(self._outline)]
-        parts = polygons_of(shapely.difference(free, shapely.union_all(posts)))
-        inside = max(parts, key=lambda p: p.intersection(self._outline).area)
+        parts = self._parts_at(core, shapely.difference(free, shapely.union_all(posts)))
+        inside = shapely.union_all(parts)
         return None if inside.intersects(outside.exterior) else inside
 
 
-def _islands(rings: list[np.ndarray], free: Polygon) -> shapely.Geometry:
+def _islands(rings: list[np.ndarray], free: shapely.Geometry) -> shapely.Geometry:
     """Return what stands within the rings of a section that may be islands in free ground.
 
     The part's own outside is such a ring too, and all around the pocket.
     """
     inside = [p for r in rings if signed_area(r) < 0 for p in polygons_in(r)]
     return shapely.union_all([p for p in inside if p.area < free.area])
+
+
+def _hairs(parts: Sequence[Polygon]) -> list[Polygon]:
+    """Return the shortest ways that join parts, each to those before it."""
+    hairs = []
+    for n, part in enumerate(parts[1:], start=1):
+        way = shapely.shortest_line(shapely.union_all(parts[:n]), part)
+        hairs.append(shapely.buffer(way, HAIR / 2, cap_style="square"))
+    return hairs
 
 
 def _fence(floor: Floor, sag: float) -> shapely.Geometry:

@@ -679,6 +679,18 @@
         <translation>Das Werkstück zum Modell des Auftrags hinzufügen.</translation>
     </message>
     <message>
+        <source>Another part of the job covers the whole floor; no cutter gets there from above.</source>
+        <translation>Ein anderes Teil des Auftrags verdeckt den ganzen Boden; von oben kommt kein Fräser hin.</translation>
+    </message>
+    <message>
+        <source>Another part of the job covers {0} mm2 of the floor; that stays uncut.</source>
+        <translation>Ein anderes Teil des Auftrags verdeckt {0} mm2 des Bodens; das bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>Another part of the job stands in the pocket or over it; the cutter keeps off that.</source>
+        <translation>Ein anderes Teil des Auftrags steht in der Tasche oder über ihr; der Fräser hält sich davon fern.</translation>
+    </message>
+    <message>
         <source>At Z{0} the pocket reaches under a wall.</source>
         <translation>Bei Z{0} reicht die Tasche unter eine Wand.</translation>
     </message>
@@ -867,8 +879,8 @@
         <translation>Neben den Spiralen bleiben mehr als {0} Umläufe.</translation>
     </message>
     <message>
-        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
-        <translation>Diese Operation hinter die mit dem größeren Fräser schieben oder UseRestMachining ausschalten.</translation>
+        <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
+        <translation>Diese Operation hinter die mit dem größeren Fräser schieben oder UseRestMachining ausschalten. Nur flache Schaftfräser zählen: runde hinterlassen Rillen.</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>
@@ -1107,6 +1119,14 @@
         <translation>Einen breiteren Fräser oder eine größere seitliche Zustellung nehmen.</translation>
     </message>
     <message>
+        <source>Take that part out of the job's model if it is not there when the pocket is cut.</source>
+        <translation>Das Teil aus dem Modell des Auftrags nehmen, wenn es beim Fräsen der Tasche nicht da ist.</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model.</source>
+        <translation>Das Teil aus dem Modell des Auftrags nehmen.</translation>
+    </message>
+    <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
         <translation>Der Fräser taucht bei {at} ein, {0} mm vom Startpunkt entfernt: Näher kann {1} nicht beginnen.</translation>
     </message>
@@ -1261,6 +1281,10 @@
     <message>
         <source>The pocket's wall near {at} is too jagged or too narrow for Linear Morph.</source>
         <translation>Die Wand der Tasche bei {at} ist für Lineares Morphen zu zackig oder zu eng.</translation>
+    </message>
+    <message>
+        <source>The selected floor lies {0} mm above the stock.</source>
+        <translation>Der gewählte Boden liegt {0} mm über dem Rohteil.</translation>
     </message>
     <message>
         <source>The selected floor lies {0} mm below the stock.</source>

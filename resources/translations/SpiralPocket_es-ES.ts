@@ -679,6 +679,18 @@
         <translation>Añada la pieza al modelo del trabajo.</translation>
     </message>
     <message>
+        <source>Another part of the job covers the whole floor; no cutter gets there from above.</source>
+        <translation>Otra pieza del trabajo cubre todo el fondo; ninguna fresa llega desde arriba.</translation>
+    </message>
+    <message>
+        <source>Another part of the job covers {0} mm2 of the floor; that stays uncut.</source>
+        <translation>Otra pieza del trabajo cubre {0} mm2 del fondo; eso queda sin cortar.</translation>
+    </message>
+    <message>
+        <source>Another part of the job stands in the pocket or over it; the cutter keeps off that.</source>
+        <translation>Otra pieza del trabajo está en la cajera o sobre ella; la fresa la evita.</translation>
+    </message>
+    <message>
         <source>At Z{0} the pocket reaches under a wall.</source>
         <translation>En Z{0} la cajera queda bajo una pared.</translation>
     </message>
@@ -867,8 +879,8 @@
         <translation>Quedan más de {0} vueltas junto a las espirales.</translation>
     </message>
     <message>
-        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
-        <translation>Mueva esta operación detrás de la de la fresa mayor, o desactive UseRestMachining.</translation>
+        <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
+        <translation>Mueva esta operación detrás de la de la fresa mayor, o desactive UseRestMachining. Solo cuentan las fresas planas: las redondas dejan crestas.</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>
@@ -1107,6 +1119,14 @@
         <translation>Tome una fresa mayor o un paso lateral mayor.</translation>
     </message>
     <message>
+        <source>Take that part out of the job's model if it is not there when the pocket is cut.</source>
+        <translation>Quite esa pieza del modelo del trabajo si no está ahí cuando se corta la cajera.</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model.</source>
+        <translation>Quite esa pieza del modelo del trabajo.</translation>
+    </message>
+    <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
         <translation>La fresa baja en {at}, a {0} mm del punto de inicio: {1} no puede empezar más cerca.</translation>
     </message>
@@ -1261,6 +1281,10 @@
     <message>
         <source>The pocket's wall near {at} is too jagged or too narrow for Linear Morph.</source>
         <translation>La pared de la cajera cerca de {at} es demasiado dentada o estrecha para Transición lineal.</translation>
+    </message>
+    <message>
+        <source>The selected floor lies {0} mm above the stock.</source>
+        <translation>El fondo elegido está {0} mm por encima del material.</translation>
     </message>
     <message>
         <source>The selected floor lies {0} mm below the stock.</source>

@@ -679,6 +679,18 @@
         <translation>Ajoutez la pièce au modèle de la tâche.</translation>
     </message>
     <message>
+        <source>Another part of the job covers the whole floor; no cutter gets there from above.</source>
+        <translation>Une autre pièce de la tâche couvre tout le fond ; aucune fraise n'y accède par le haut.</translation>
+    </message>
+    <message>
+        <source>Another part of the job covers {0} mm2 of the floor; that stays uncut.</source>
+        <translation>Une autre pièce de la tâche couvre {0} mm2 du fond ; cela n'est pas usiné.</translation>
+    </message>
+    <message>
+        <source>Another part of the job stands in the pocket or over it; the cutter keeps off that.</source>
+        <translation>Une autre pièce de la tâche se trouve dans la poche ou au-dessus ; la fraise l'évite.</translation>
+    </message>
+    <message>
         <source>At Z{0} the pocket reaches under a wall.</source>
         <translation>À Z{0} la poche passe sous une paroi.</translation>
     </message>
@@ -867,8 +879,8 @@
         <translation>Il reste plus de {0} tours à côté des spirales.</translation>
     </message>
     <message>
-        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
-        <translation>Placez cette opération après celle de la plus grande fraise, ou désactivez UseRestMachining.</translation>
+        <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
+        <translation>Placez cette opération après celle de la plus grande fraise, ou désactivez UseRestMachining. Seules comptent les fraises plates : les rondes laissent des crêtes.</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>
@@ -1107,6 +1119,14 @@
         <translation>Prenez une fraise plus grosse ou un pas plus grand.</translation>
     </message>
     <message>
+        <source>Take that part out of the job's model if it is not there when the pocket is cut.</source>
+        <translation>Retirez cette pièce du modèle de la tâche si elle n'est pas là pendant l'usinage de la poche.</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model.</source>
+        <translation>Retirez cette pièce du modèle de la tâche.</translation>
+    </message>
+    <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
         <translation>La fraise descend en {at}, à {0} mm du point de départ : {1} ne peut pas commencer plus près.</translation>
     </message>
@@ -1261,6 +1281,10 @@
     <message>
         <source>The pocket's wall near {at} is too jagged or too narrow for Linear Morph.</source>
         <translation>La paroi de la poche près de {at} est trop dentelée ou trop étroite pour le Morphing linéaire.</translation>
+    </message>
+    <message>
+        <source>The selected floor lies {0} mm above the stock.</source>
+        <translation>Le fond choisi est à {0} mm au-dessus du brut.</translation>
     </message>
     <message>
         <source>The selected floor lies {0} mm below the stock.</source>

@@ -679,6 +679,18 @@
         <translation>请将零件加入作业的模型。</translation>
     </message>
     <message>
+        <source>Another part of the job covers the whole floor; no cutter gets there from above.</source>
+        <translation>作业中的另一个零件盖住了整个底面；刀具无法从上方到达。</translation>
+    </message>
+    <message>
+        <source>Another part of the job covers {0} mm2 of the floor; that stays uncut.</source>
+        <translation>作业中的另一个零件盖住了 {0} mm2 的底面；该部分不切削。</translation>
+    </message>
+    <message>
+        <source>Another part of the job stands in the pocket or over it; the cutter keeps off that.</source>
+        <translation>作业中的另一个零件位于型腔内或其上方；刀具会避开它。</translation>
+    </message>
+    <message>
         <source>At Z{0} the pocket reaches under a wall.</source>
         <translation>在 Z{0} 处型腔伸到侧壁下方。</translation>
     </message>
@@ -867,8 +879,8 @@
         <translation>螺线旁仍剩超过 {0} 圈。</translation>
     </message>
     <message>
-        <source>Move this operation behind the one with the larger cutter, or unset UseRestMachining.</source>
-        <translation>请将此操作移到使用大刀具的操作之后，或关闭 UseRestMachining。</translation>
+        <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
+        <translation>请将此操作移到使用大刀具的操作之后，或关闭 UseRestMachining。只有平底立铣刀才算数：圆头刀会留下残脊。</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>
@@ -1107,6 +1119,14 @@
         <translation>请用更大的刀具或步距。</translation>
     </message>
     <message>
+        <source>Take that part out of the job's model if it is not there when the pocket is cut.</source>
+        <translation>如果切削型腔时该零件不在那里，请将其从作业模型中移除。</translation>
+    </message>
+    <message>
+        <source>Take that part out of the job's model.</source>
+        <translation>请将该零件从作业模型中移除。</translation>
+    </message>
+    <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
         <translation>刀具在 {at} 处下刀，距起点 {0} mm：{1} 无法在更近处开始。</translation>
     </message>
@@ -1261,6 +1281,10 @@
     <message>
         <source>The pocket's wall near {at} is too jagged or too narrow for Linear Morph.</source>
         <translation>{at} 附近的型腔侧壁对“线性渐变”过于参差或过窄。</translation>
+    </message>
+    <message>
+        <source>The selected floor lies {0} mm above the stock.</source>
+        <translation>所选底面在毛坯以上 {0} mm。</translation>
     </message>
     <message>
         <source>The selected floor lies {0} mm below the stock.</source>

@@ -38,6 +38,8 @@ FLOORS = {
         rectangle(70, 50, 8, -20, -20), spline([(0, 0), (12, -4), (24, 0), (20, 10), (8, 6)])
     ),
     "polygon": lambda: area(polygon([(0, 0), (40, 0), (50, 25), (20, 35), (-5, 20)])),
+    "island touching the wall": lambda: area(rectangle(50, 36, 6), circle(6, 25, 6)),
+    "islands touching": lambda: area(rectangle(50, 36, 6), circle(6, 18, 18), circle(7, 31, 18)),
     "inward arc": lambda: area(rectangle(60, 40)).cut(area(circle(15, 30, 45))).Faces[0],
 }
 
@@ -51,6 +53,8 @@ def cusp():
 
 
 FLOORS["cusp"] = cusp
+#: Of the tips between an arc and what touches it a little is lost.
+CUSPS = ("cusp", "island touching the wall", "islands touching")
 
 
 def floor_of(doc, shape, index=0, z=-DEPTH):
@@ -87,16 +91,18 @@ def test_polygon_stays_inside_the_floor(doc, name):
     assert depth_in_material(floor.face, geometry.polygon(floor, SAG)) <= ROUNDING
 
 
-@pytest.mark.parametrize("name", sorted(set(FLOORS) - {"cusp"}))
+@pytest.mark.parametrize("name", sorted(set(FLOORS) - set(CUSPS)))
 def test_polygon_misses_no_more_than_the_sag(doc, name):
     floor = floor_of(doc, block(FLOORS[name]()))
     outline = geometry.polygon(floor, SAG).boundary
     assert shapely.distance(true_outline(floor.face), outline).max() <= 1.1 * SAG
 
 
-def test_cusp_loses_no_more_than_its_tip(doc):
-    floor = floor_of(doc, block(cusp()))
-    assert 0 <= floor.face.Area - geometry.polygon(floor, SAG).area <= SAG * 10  # the arc's radius
+@pytest.mark.parametrize("name", CUSPS)
+def test_cusp_loses_no_more_than_its_tip(doc, name):
+    floor = floor_of(doc, block(FLOORS[name]()))
+    lost = floor.face.Area - geometry.polygon(floor, SAG).area
+    assert 0 <= lost <= SAG * 60  # the arcs' radii and lengths
 
 
 @pytest.mark.parametrize("name", FLOORS)

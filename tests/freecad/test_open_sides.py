@@ -186,3 +186,16 @@ def test_a_low_boss_in_an_open_pocket_is_cleared_to_its_top(doc, radius):
     low = path[np.abs(path[:, 2] - (FLOOR + 3)) < 0.001]
     swept = shapely.union_all(shapely.buffer(shapely.points(low[:, :2]), R))
     assert swept.contains(shapely.Point(20, 20).buffer(radius - 0.1))
+
+
+def test_a_side_that_leans_in_below_the_floor_hangs_over_nothing(doc):
+    # as the sides of a part with draft, or of a ball: cut along the slot, they reach up to its edge
+    shape = plate(tool_box(40, -20, 60, 80, corner=0))
+    below = Part.makeBox(200, 100, 40, Vector(-50, -100, -40))
+    below.rotate(Vector(0, 0, 0), Vector(1, 0, 0), 15)
+    shape = shape.cut(below).Solids[0]
+    job, part = job_of(doc, shape)
+    op = cut(job, part)
+    assert op.UncutArea < 0.05
+    assert op.Proxy.plans[0].request.beyond.bounds[1] < -0.1
+    assert len(gouges(Surface(shape), places(motion(op), 1.0), R, 0.01)) == 0

@@ -113,6 +113,14 @@ def test_what_comes_later_or_is_not_active_has_cleared_nothing(doc):
     assert rest.MachiningTime < whole / 2
 
 
+def test_it_is_told_that_a_round_tool_before_does_not_count(doc, monkeypatch):
+    job, part, large, small = job_of(doc, block(area(rectangle(40, 40))))
+    cut(job, part, large)
+    monkeypatch.setattr("freecad_spiralpocket.op.rest.tool_shape", lambda _: "ballend")
+    rest = cut(job, part, small, UseRestMachining=True)
+    assert any("round ones leave ridges" in notice for notice in rest.Notices)
+
+
 def test_what_did_not_reach_the_floor_or_left_stock_on_the_wall_is_rest(doc):
     job, part, large, small = job_of(doc, block(area(rectangle(40, 40, 9.0))))
     first = cut(job, part, large, ZStockToLeave=0.3)

@@ -203,11 +203,28 @@ def test_a_hole_drilled_across_a_wall_is_no_way_under_it(doc):
         assert section.pocket.bounds[2] < 50.01
 
 
-def test_a_bridge_over_the_pocket_is_kept_clear_of(doc):
-    shape = block(area(rectangle(60, 30, 5)))
-    shape = shape.fuse(Part.makeBox(8, 40, 2, Vector(40, -5, -3))).removeSplitter()
+BRIDGES = {
+    "beside the middle": lambda: Part.makeBox(8, 40, 2, Vector(40, -5, -3)),
+    "in the middle": lambda: Part.makeBox(8, 40, 2, Vector(26, -5, -3)),
+    "round": lambda: Part.makeCylinder(4, 40, Vector(30, -5, -2), Vector(0, 1, 0)),
+    "two": lambda: Part.makeBox(6, 40, 2, Vector(16, -5, -3)).fuse(
+        Part.makeBox(6, 40, 3, Vector(38, -5, -3))
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BRIDGES)
+def test_all_sides_of_a_bridge_are_cleared_and_it_is_kept_clear_of(doc, name):
+    shape = block(area(rectangle(60, 30, 5))).fuse(BRIDGES[name]()).removeSplitter()
     op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=2.0)
-    assert len(gouges_of(op, shape)) == 0
+    assert len(gouges_of(op, shape)) == 0 and op.UncutArea < 0.05
+    heights = Stock(Surface(shape), (0.5, 0.5, 59.5, 29.5), 0.5)
+    heights.cut(places(motion(op), 0.3), 3.0 + SCALLOP)
+    standing = (heights.part == -DEPTH) & (heights.heights > -DEPTH + 0.01)
+    # in the corners between bridge and walls, four on each bridge
+    assert standing.sum() * heights.pixel**2 < 20.0
+    told = next(notice for notice in op.Notices if "lean over the floor" in notice)
+    assert float(told.split("; ")[1].split()[0]) < 31 * 15
 
 
 def test_holes_in_the_floor_are_no_islands(doc):
@@ -228,6 +245,40 @@ def test_what_stands_up_through_a_hole_in_the_floor_is_an_island(doc, high):
     heights.cut(places(motion(op), 0.3), 3.0 + SCALLOP)
     on_floor = heights.left[2:-2, 8:-8][heights.part[2:-2, 8:-8] == -DEPTH]
     assert on_floor.max() < 0.01
+
+
+def plate_with_a_hole():
+    return block(area(rectangle(60, 40, 6)), below=8.0).cut(
+        Part.makeCylinder(8, 40, Vector(30, 20, -30))
+    )
+
+
+def half_a_rim(low, high=0.0):
+    """Return a wall around half of the hole, `low` wide at the floor and 3 mm at Z `high`."""
+    rim = Part.makeCone(8 + low, 11, high + DEPTH, Vector(30, 20, -DEPTH))
+    hole = Part.makeCylinder(8, 40, Vector(30, 20, -30))
+    return rim.cut(hole).common(Part.makeBox(30, 40, 40, Vector(0, 0, -30)))
+
+
+WALLS_AT_A_HOLE = {
+    "rim": lambda: half_a_rim(3.001),
+    "low rim": lambda: half_a_rim(3.001, -2.0),
+    "rim with draft": lambda: half_a_rim(4.0),
+    "bar into it": lambda: Part.makeBox(14, 8, 14, Vector(34, 16, -14)),
+    "web across it": lambda: Part.makeBox(40, 8, 14, Vector(10, 16, -14)),
+}
+
+
+@pytest.mark.parametrize("name", WALLS_AT_A_HOLE)
+def test_a_hole_with_a_wall_on_a_part_of_its_rim_is_free_beside_that(doc, name):
+    shape = plate_with_a_hole().fuse(WALLS_AT_A_HOLE[name]()).removeSplitter().Solids[0]
+    op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=3.0)
+    assert len(gouges_of(op, shape)) == 0
+    heights = Stock(Surface(shape), (6.5, 6.5, 53.5, 33.5), 0.7)
+    heights.cut(places(motion(op), 0.3), 3.0 + SCALLOP)
+    # in the sharp corners beside a bar or a web the round cutter leaves a little
+    standing = (heights.part <= -DEPTH) & (heights.heights > -DEPTH + 0.01)
+    assert standing.sum() * heights.pixel**2 < 1.0 + op.UncutArea
 
 
 def turned_ledge():
@@ -272,6 +323,29 @@ def test_a_slanted_pocket_open_at_a_side_stays_within_its_floor_there(doc):
     assert len(plan.request.sections) == 3
     assert any("open at a side" in notice for notice in op.Notices)
     assert len(gouges_of(op, shape)) == 0
+
+
+def sloping_block():
+    """Return a drafted pocket in a part whose top slopes."""
+    above = Part.makeBox(120, 100, 40, Vector(-40, -40, 0))
+    above.rotate(Vector(-40, 15, 0), Vector(0, 1, 0), 3)
+    return slanted_block((15, 15, 15, 15), DEPTH, 40.0, 30.0, 6.0).cut(above)
+
+
+def bar_with_draft():
+    """Return a drafted pocket in a lying bar."""
+    bar = Part.makeCylinder(30, 100, Vector(-30, 15, -28), Vector(1, 0, 0))
+    return slanted_block((15, 15, 15, 15), 14.0, 40.0, 20.0, 6.0).common(bar)
+
+
+@pytest.mark.parametrize(("shape", "depth"), [(sloping_block, DEPTH), (bar_with_draft, 14.0)])
+def test_above_a_rim_that_is_not_level_the_pocket_goes_no_narrower(doc, shape, depth):
+    solid = shape()
+    op = cut(doc, solid, -depth, diameter=6.0, StepDown=2.0)
+    assert len(gouges_of(op, solid)) == 0 and op.UncutArea < 0.05
+    sections = op.Proxy.plans[0].request.sections
+    areas = [section.pocket.area for section in sections]
+    assert areas == sorted(areas, reverse=True) and areas[0] > 1.01 * areas[-1]
 
 
 def test_stock_above_the_part_is_cut_in_the_shape_of_the_rim(doc):

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Sections of faces: their rings close, or the place where one does not is told."""
 
+import math
 from itertools import pairwise
 
+import numpy as np
 import Part
 import pytest
 from FreeCAD import Vector
@@ -71,3 +73,49 @@ def test_a_piece_that_freecad_leaves_out_is_found_a_hair_higher():
     (ring,) = slices.section([walls[0], skipping, *walls[2:]], 5.0, SAG)
     assert Polygon(ring).area == pytest.approx(100)
     assert max(abs(z - 5.0) for z in skipping.heights) < 0.005
+
+
+def ring(inner, outer):
+    disc, hole = (Point(0, 0).buffer(r, quad_segs=256) for r in (outer, inner))
+    return disc.difference(hole)
+
+
+def bored_ball():
+    """Return a ball, a height, and where its face leans out above that."""
+    ball = Part.makeSphere(12).cut(Part.makeCylinder(4, 40, Vector(0, 0, -20)))
+    return ball, -5.0, ring(math.sqrt(12**2 - 5**2), 12)
+
+
+def slotted_torus():
+    slot = Part.makeBox(70, 6, 40, Vector(-35, -3, -2))
+    half = math.sqrt(6**2 - 4**2)
+    outside, inside = ring(20 + half, 26), ring(14, 20 - half)
+    return Part.makeTorus(20, 6).cut(slot), -4.0, outside.union(inside)
+
+
+@pytest.mark.parametrize("shape", [bored_ball, slotted_torus])
+def test_what_hangs_over_a_place_is_found_without_the_rest_of_the_face(shape):
+    solid, z, leaning = shape()
+    place = box(4, 8, 14, 24)
+    bent = [face for face in solid.Faces if not isinstance(face.Surface, Part.Plane)]
+    triangles = [slices.overhang(face, place, z) for face in bent]
+    wanted = leaning.intersection(place)
+    found = slices.shadow(triangles, z).intersection(place)
+    # what hardly looks up is taken too
+    assert wanted.area > 1.0 and wanted.difference(found).area < 0.1
+    assert found.difference(wanted.buffer(0.1)).area < 0.1
+    reach = np.concatenate([*triangles]).reshape(-1, 3)[:, :2]
+    assert reach.min(axis=0)[1] > 0 and reach[:, 0].min() > 0
+
+
+def test_what_looks_up_above_a_place_needs_no_triangles():
+    solid = Part.makeTorus(20, 6)
+    assert not len(slices.overhang(solid.Faces[0], box(-30, -30, 30, 30), 2.0))
+
+
+def test_a_face_that_ends_at_a_height_hangs_over_nothing_there():
+    side = Part.makeLine(Vector(0, 0, 0), Vector(10, 0, 0)).extrude(Vector(0, 3, 5))
+    triangles = slices.overhang(side, box(-5, -5, 15, 15), -1.0)
+    assert len(triangles)
+    assert slices.shadow([triangles], 5.0).is_empty
+    assert slices.shadow([triangles], 4.0).area == pytest.approx(10 * 0.6, rel=0.1)
