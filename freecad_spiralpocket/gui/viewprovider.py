@@ -26,7 +26,7 @@ from .command import ICON
 from .compat import INACTIVE_ICON, PathOpGui, PathSelection
 from .panel import OperationPage
 from .startup import RESOURCES
-from .taskpanel import TaskPanel
+from .taskpanel import TaskPanel, remove_left
 
 translate = FreeCAD.Qt.translate
 
@@ -72,6 +72,7 @@ class ViewProvider(PathOpGui.ViewProvider):
         """Open the panel."""
         if mode != 0:
             return False
+        remove_left()  # before this panel begins a step to undo
         obj = (vobj or self.vobj).Object
         try:
             _require_job(obj)
@@ -97,7 +98,7 @@ class ViewProvider(PathOpGui.ViewProvider):
         if self.Object.Removing or self.Object.Document.Transacting:
             QtCore.QTimer.singleShot(0, self.panel.abandon)
         else:
-            self.panel.reject(False)
+            self.panel.leave()
 
     def setupTaskPanel(self, panel: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show the panel; the job shows the model in its place, if it can."""
