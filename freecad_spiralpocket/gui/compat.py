@@ -13,7 +13,7 @@ from typing import Any
 from PathScripts import PathUtils
 from PySide import QtGui
 
-from ..op.compat import IS_LEGACY, STALE_ELEMENT_ERRORS, PathOp
+from ..op.compat import IS_LEGACY, STALE_ELEMENT_ERRORS
 
 if IS_LEGACY:
     from PathScripts import PathOpGui, PathSelection
@@ -23,7 +23,6 @@ else:
 
 __all__ = [
     "INACTIVE_ICON",
-    "NO_TOOL_CONTROLLER_ERRORS",
     "PathOpGui",
     "PathSelection",
     "PathUtils",
@@ -42,9 +41,6 @@ def freecad_icon(name: str) -> str:
 
 #: FreeCAD's icon for an operation that is switched off.
 INACTIVE_ICON = freecad_icon("OpActive")
-
-#: What making an operation raises when the job has no tool controller, or none was chosen.
-NO_TOOL_CONTROLLER_ERRORS = (PathUtils.PathNoTCExistsException, PathOp.PathNoTCException)
 
 
 def bear_lost_selection(page: Any) -> None:

@@ -14,13 +14,13 @@ import FreeCAD
 from PySide import QtCore
 
 from ..engine.model import FeedMode, Strategy
-from ..op.compat import parent_job
+from ..op.compat import parent_job, supplied_tool_controller
 from ..op.properties import INHERITED, TABLE, option_names
 from .basepage import BaseGeometryPage
 from .choices import strategy_note
 from .compat import PathOpGui, PathUtils, has_tool_controller_editor
 from .extras import FACTORIES, Extra
-from .fields import Check, Choice, Field, LinkFeed, Number, Quantity
+from .fields import Check, Choice, Field, LinkFeed, Number, Quantity, silent
 from .names import load_form, rightly_named
 from .startpoint import StartPointField
 from .startup import RESOURCES
@@ -112,9 +112,18 @@ class OperationPage(PathOpGui.TaskPanelPage):
         self.boxes = [box for box in [extra.widget() for extra in self.extras] if box is not None]
 
     def setupToolController(self, *obj_and_combo: Any) -> None:  # noqa: N802
-        """Fill the list of tool controllers; 1.1 makes an editor for the chosen one each time."""
-        with rightly_named():
+        """Fill the list of tool controllers; 1.1 makes an editor for the chosen one each time.
+
+        Where the operation's own was deleted the first is chosen: 1.1 fails where the user, asked
+        for one, chooses none. Where its tool cannot clear a pocket it is not in the list.
+        """
+        first = next(iter(PathUtils.getToolControllers(self.obj)), None)
+        with rightly_named(), supplied_tool_controller(first):
             super().setupToolController(*obj_and_combo)
+        combo, controller = self.form.toolController, self.obj.ToolController
+        if controller is None or combo.currentText() != controller.Label:
+            with silent(combo):
+                combo.setCurrentIndex(-1)
 
     def resetToolController(self, job: Any, tc: Any) -> None:  # noqa: N802
         """Take a tool controller that was just added, if that was to the operation's own job."""

@@ -17,13 +17,14 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore
 
-from ..engine.errors import SetupError, SpiralPocketError
+from ..engine.errors import SpiralPocketError
 from ..op import presets
 from ..op.compat import parent_job
 from ..op.expressions import check_expressions
+from ..op.operation import required_job
 from . import messages, progress
 from .command import ICON
-from .compat import INACTIVE_ICON, PathOpGui, PathSelection
+from .compat import INACTIVE_ICON, PathOpGui, PathSelection, PathUtils
 from .panel import OperationPage
 from .startup import RESOURCES
 from .taskpanel import TaskPanel, remove_left
@@ -139,13 +140,9 @@ class ViewProvider(PathOpGui.ViewProvider):
 
 
 def _require_job(obj: Any) -> None:
-    """Raise if an operation is in no job, or in one without tools."""
-    from .creation import require_tool_controller  # which makes operations with this provider
+    """Raise if an operation is in no job, or in one without tools: FreeCAD's panel would fail."""
+    from .creation import no_tool_controller  # which makes operations with this provider
 
-    job = parent_job(obj)
-    if job is None:
-        raise SetupError(
-            translate("SpiralPocket", "{} is not in a job.").format(obj.Label),
-            translate("SpiralPocket", "Drag it into the job's operations."),
-        )
-    require_tool_controller(job)
+    job = required_job(obj)
+    if obj.ToolController is None and not PathUtils.getToolControllers(obj):
+        raise no_tool_controller(job)

@@ -228,8 +228,8 @@
         <translation>Dem Auftrag eine mit Schaftfräser hinzufügen und erneut versuchen.</translation>
     </message>
     <message>
-        <source>{} has no tool controller.</source>
-        <translation>{} hat keine Werkzeugsteuerung.</translation>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} hat keine Werkzeugsteuerung, die eine Tasche räumen kann.</translation>
     </message>
     <message>
         <source>Type a number.</source>
@@ -480,10 +480,6 @@
         <translation>Noch einmal OK behält, was ohne das gemacht wurde.</translation>
     </message>
     <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>Spiraltasche entfernen</translation>
-    </message>
-    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>Ein Fehler in der Erweiterung: der Pfad wurde nicht berechnet.</translation>
     </message>
@@ -492,16 +488,12 @@
         <translation>Bitte melden, mit dem Text aus der Berichtsansicht.</translation>
     </message>
     <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Spiraltasche entfernen</translation>
+    </message>
+    <message>
         <source>Use as Default in This Job</source>
         <translation>Als Vorgabe in diesem Auftrag verwenden</translation>
-    </message>
-    <message>
-        <source>Drag it into the job's operations.</source>
-        <translation>In die Operationen des Auftrags ziehen.</translation>
-    </message>
-    <message>
-        <source>{} is not in a job.</source>
-        <translation>{} ist in keinem Auftrag.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -885,6 +877,10 @@
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
         <translation>Von der seitlichen Zustellung von {0} % nutzt Automatisch {1}: Breitere Bahnen ließen Material stehen, wo sie sich treffen.</translation>
+    </message>
+    <message>
+        <source>Open the document in that version, or make a new job here.</source>
+        <translation>Das Dokument in jener Version öffnen oder hier einen neuen Auftrag anlegen.</translation>
     </message>
     <message>
         <source>Other strategies use it whole, and may leave stock.</source>
@@ -1329,6 +1325,10 @@
     <message>
         <source>There is no machine '{0}'.</source>
         <translation>Es gibt keine Maschine '{0}'.</translation>
+    </message>
+    <message>
+        <source>This FreeCAD cannot read {0}, which another version has saved.</source>
+        <translation>Dieses FreeCAD kann {0} nicht lesen, von einer anderen Version gespeichert.</translation>
     </message>
     <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>

@@ -228,8 +228,8 @@
         <translation>Añada uno con una fresa plana al trabajo e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>{} has no tool controller.</source>
-        <translation>{} no tiene controlador de herramienta.</translation>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} no tiene ningún controlador de herramienta que pueda vaciar una cajera.</translation>
     </message>
     <message>
         <source>Type a number.</source>
@@ -480,10 +480,6 @@
         <translation>Otra vez Aceptar conserva lo que se hizo sin eso.</translation>
     </message>
     <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>Quitar cajera en espiral</translation>
-    </message>
-    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>Un error en el complemento: la trayectoria no se calculó.</translation>
     </message>
@@ -492,16 +488,12 @@
         <translation>Infórmelo con el texto de la vista de informe.</translation>
     </message>
     <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Quitar cajera en espiral</translation>
+    </message>
+    <message>
         <source>Use as Default in This Job</source>
         <translation>Usar por defecto en este trabajo</translation>
-    </message>
-    <message>
-        <source>Drag it into the job's operations.</source>
-        <translation>Arrástrela a las operaciones del trabajo.</translation>
-    </message>
-    <message>
-        <source>{} is not in a job.</source>
-        <translation>{} no está en ningún trabajo.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -885,6 +877,10 @@
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
         <translation>Del paso lateral de {0} %, Automático usa {1}: vueltas más anchas dejarían material donde se encuentran.</translation>
+    </message>
+    <message>
+        <source>Open the document in that version, or make a new job here.</source>
+        <translation>Abra el documento en esa versión o cree aquí un trabajo nuevo.</translation>
     </message>
     <message>
         <source>Other strategies use it whole, and may leave stock.</source>
@@ -1329,6 +1325,10 @@
     <message>
         <source>There is no machine '{0}'.</source>
         <translation>No hay ninguna máquina '{0}'.</translation>
+    </message>
+    <message>
+        <source>This FreeCAD cannot read {0}, which another version has saved.</source>
+        <translation>Este FreeCAD no puede leer {0}, guardado por otra versión.</translation>
     </message>
     <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>

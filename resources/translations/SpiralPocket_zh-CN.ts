@@ -228,8 +228,8 @@
         <translation>在作业中添加一个带立铣刀的刀具控制器，然后重试。</translation>
     </message>
     <message>
-        <source>{} has no tool controller.</source>
-        <translation>{} 没有刀具控制器。</translation>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} 没有可清除型腔的刀具控制器。</translation>
     </message>
     <message>
         <source>Type a number.</source>
@@ -480,10 +480,6 @@
         <translation>再按一次“确定”即保留其余已完成的部分。</translation>
     </message>
     <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>删除螺旋型腔</translation>
-    </message>
-    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>插件出错：刀路未计算。</translation>
     </message>
@@ -492,16 +488,12 @@
         <translation>请连同“报告视图”中的文本一起报告。</translation>
     </message>
     <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>删除螺旋型腔</translation>
+    </message>
+    <message>
         <source>Use as Default in This Job</source>
         <translation>作为此作业的默认值</translation>
-    </message>
-    <message>
-        <source>Drag it into the job's operations.</source>
-        <translation>请将其拖入作业的工序中。</translation>
-    </message>
-    <message>
-        <source>{} is not in a job.</source>
-        <translation>{} 不在任何作业中。</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -885,6 +877,10 @@
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
         <translation>步距为 {0} %，“自动”只用其中的 {1}：更宽的圈次会在相接处留下余料。</translation>
+    </message>
+    <message>
+        <source>Open the document in that version, or make a new job here.</source>
+        <translation>请用该版本打开文档，或在此新建作业。</translation>
     </message>
     <message>
         <source>Other strategies use it whole, and may leave stock.</source>
@@ -1329,6 +1325,10 @@
     <message>
         <source>There is no machine '{0}'.</source>
         <translation>没有机床 '{0}'。</translation>
+    </message>
+    <message>
+        <source>This FreeCAD cannot read {0}, which another version has saved.</source>
+        <translation>此 FreeCAD 无法读取由其他版本保存的 {0}。</translation>
     </message>
     <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
