@@ -43,7 +43,7 @@ class PreviewBox(QtGui.QWidget):
         self.setWindowTitle(translate("SpiralPocket", "Preview"))
         self.setWindowIcon(QtGui.QIcon(freecad_icon("Simulator")))
         self.setObjectName("SpiralPocketPreviewBox")
-        self._total = 0.0
+        self._total, self._is_known = 0.0, False
         self.live = QtGui.QCheckBox(translate("SpiralPocket", "Live"))
         self.live.setToolTip(translate("SpiralPocket", "Draw the path anew while values change"))
         self.live.setChecked(True)
@@ -76,9 +76,9 @@ class PreviewBox(QtGui.QWidget):
         self.slider.valueChanged.connect(lambda value: self._move(value, moved))
         self.play.toggled.connect(self._show_playing)
 
-    def set_total(self, seconds: float) -> None:
-        """Show how long the whole cut takes; 0 greys the player."""
-        self._total = seconds
+    def set_total(self, seconds: float, *, is_known: bool = True) -> None:
+        """Show how long the whole cut takes, if that is known; 0 greys the player."""
+        self._total, self._is_known = seconds, is_known
         for widget in (self.play, self.slider):
             widget.setEnabled(seconds > 0)
         if not seconds:
@@ -111,7 +111,7 @@ class PreviewBox(QtGui.QWidget):
         moved(value / STEPS)
 
     def _show_clock(self) -> None:
-        if self._total:
+        if self._total and self._is_known:
             self.clock.setText(f"{duration(self.share * self._total) if self.share else '0 s'}")
         else:
             self.clock.setText("")

@@ -24,6 +24,7 @@ from window import (
 
 from freecad_spiralpocket.gui.plotdata import curves_of
 from freecad_spiralpocket.gui.plotdock import NAME
+from freecad_spiralpocket.op.results import machining_time
 
 
 def page():
@@ -50,7 +51,7 @@ def opened(job, floor):
 def test_curves_are_the_plans(opened):
     (drawn,) = [p.drawn for p in page().outlook.pockets]
     curves = curves_of([drawn, drawn], opened.ToolController)
-    assert curves.clock[-1] == pytest.approx(2 * drawn.plan.report.time)
+    assert curves.clock[-1] == pytest.approx(machining_time([drawn.plan, drawn.plan]))
     assert (np.diff(curves.clock) >= 0).all()
     assert np.nanmax(curves.engagement) <= 180 and np.nanmax(curves.force) > 1
     assert (np.isnan(curves.engagement) == np.isnan(curves.force)).all()
