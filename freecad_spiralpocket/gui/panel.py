@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import FreeCAD
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from ..engine.model import FeedMode, Strategy
 from ..op.compat import parent_job, supplied_tool_controller
@@ -73,6 +73,10 @@ OF_CONTROLLER = (
 OF_TOOL = ("Label", "Diameter", "CuttingEdgeHeight", "Flutes", "ShapeType", "ShapeName", "ToolType")
 
 
+#: Least width of a box to type into, in the font's height; a row that is wider is wrapped.
+SPIN_BOX = 7.0
+
+
 class OperationPage(PathOpGui.TaskPanelPage):
     """The operation's own page; FreeCAD calls its methods."""
 
@@ -91,6 +95,8 @@ class OperationPage(PathOpGui.TaskPanelPage):
         if not has_tool_controller_editor():
             form.editToolController.hide()
         form.advancedFrame.hide()
+        for box in form.findChildren(QtGui.QAbstractSpinBox):
+            box.setMinimumWidth(int(SPIN_BOX * box.fontMetrics().height()))
         return form
 
     def taskPanelBaseGeometryPage(self, obj: Any, features: int) -> Any:  # noqa: N802

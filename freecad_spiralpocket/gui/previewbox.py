@@ -52,9 +52,7 @@ class PreviewBox(QtGui.QWidget):
         feed = translate("SpiralPocket", "Feed [{}]").format(feed_unit()[1])
         self.quantity.addItem(feed, "feed")
         self.quantity.setToolTip(translate("SpiralPocket", "What the colors of the cut show"))
-        # FreeCAD 0.20 opens with a narrow panel, which would be cut off at the right
-        self.quantity.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-        self.quantity.setMinimumContentsLength(6)
+        self.quantity.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToContents)
         self.bar = ColorBar()
         self.play = QtGui.QToolButton()
         self.play.setCheckable(True)
@@ -93,11 +91,12 @@ class PreviewBox(QtGui.QWidget):
     def _lay_out(self) -> None:
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
-        top, player = QtGui.QHBoxLayout(), QtGui.QHBoxLayout()
-        top.addWidget(self.live)
-        top.addStretch()
-        top.addWidget(QtGui.QLabel(translate("SpiralPocket", "Color by")))
-        top.addWidget(self.quantity, 1)
+        top, color, player = QtGui.QFormLayout(), QtGui.QFormLayout(), QtGui.QHBoxLayout()
+        for form in (top, color):
+            form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)  # in a narrow panel
+            form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        color.addRow(translate("SpiralPocket", "Color by"), self.quantity)
+        top.addRow(self.live, color)
         for widget in (self.play, self.slider, self.clock):
             player.addWidget(widget)
         layout.addLayout(top)

@@ -29,6 +29,8 @@ from .room import make_room
 
 translate = FreeCAD.Qt.translate
 
+AFTER_LAYOUT = 10  # ms: 0 would come among the events that lay the widgets out
+
 
 class TaskPanel(PathOpGui.TaskPanel):
     """The operation's task panel; FreeCAD calls its methods."""
@@ -69,7 +71,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.is_open = True
         FreeCAD.addDocumentObserver(self)
         self.operation_page.form.destroyed.connect(self._lose_widgets)
-        QtCore.QTimer.singleShot(0, self._make_room)
+        QtCore.QTimer.singleShot(AFTER_LAYOUT, self._make_room)
 
     def accept(self, resetEdit: bool = True) -> Any:  # noqa: N803
         """Take the values over and close, if there is a path or the user knows there is none.
@@ -208,7 +210,8 @@ class TaskPanel(PathOpGui.TaskPanel):
 
     def _make_room(self) -> None:
         if self.is_open:
-            make_room(self.operation_page.form)
+            form = self.operation_page.form
+            make_room(self.form[0], form, form.advancedFrame)
 
     def _lose_widgets(self, *_: Any) -> None:
         """Close, as the widgets are gone, if nobody has told us to."""
