@@ -112,6 +112,9 @@ class OperationPage(PathOpGui.TaskPanelPage):
             *(kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS),
             self.start_point,
         ]
+        for label in self.form.findChildren(QtGui.QLabel):
+            if label.buddy() is not None:
+                label.setToolTip(label.buddy().toolTip())
         self.form.advanced.setChecked(is_advanced(obj))
         self.tool = tool_of(obj)
         self.extras = [make(self) for make in FACTORIES]

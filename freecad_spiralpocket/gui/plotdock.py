@@ -19,7 +19,7 @@ from PySide import QtCore, QtGui
 from ..engine.errors import SetupError
 from .names import forget_namesakes
 from .plotdata import MATERIAL, Curves
-from .resulttext import feed_unit
+from .resulttext import decimal, feed_unit
 from .themecolors import theme
 
 translate = FreeCAD.Qt.translate
@@ -132,6 +132,8 @@ class PlotDock:
             axes.tick_params(colors=text, labelsize="small")
             axes.grid(color=text, alpha=0.15)
             axes.set_ylim(0, None)
+            for axis in (axes.xaxis, axes.yaxis):
+                axis.set_major_formatter(_tick)
             for side in axes.spines.values():
                 side.set_color(text)
                 side.set_alpha(0.4)
@@ -160,7 +162,7 @@ class PlotDock:
         curves = self._curves
         assert curves is not None
         at = min(int(np.searchsorted(curves.clock, seconds)), len(curves.clock) - 1)
-        texts = [f"{seconds:.1f} s", f"{np.nan_to_num(curves.engagement[at]):.0f}°"]
+        texts = [f"{decimal(seconds, 1)} s", f"{np.nan_to_num(curves.engagement[at]):.0f}°"]
         factor, unit = feed_unit()
         texts.append(f"{curves.velocity[at] / factor:.0f} {unit}")
         if curves.force is not None:
@@ -174,3 +176,8 @@ class PlotDock:
     def _moved(self, event: Any) -> None:
         if event.inaxes is not None and self._curves is not None:
             self.point_at(float(np.clip(event.xdata, 0.0, self._curves.clock[-1])))
+
+
+def _tick(value: float, position: int | None = None) -> str:
+    """Return a number at an axis with the user's decimal mark."""
+    return f"{value:g}".replace(".", str(QtCore.QLocale().decimalPoint()))

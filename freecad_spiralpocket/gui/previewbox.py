@@ -62,6 +62,8 @@ class PreviewBox(QtGui.QWidget):
         self.slider.setRange(0, STEPS)
         self.slider.setValue(STEPS)
         self.slider.setToolTip(translate("SpiralPocket", "How far the cut is shown"))
+        for widget in (self.play, self.slider):  # which have no words of their own
+            widget.setAccessibleName(widget.toolTip())
         self.clock = QtGui.QLabel()
         self.status = QtGui.QLabel()
         self.status.setWordWrap(True)

@@ -360,12 +360,12 @@
         <translation>Wie weit der Schnitt gezeigt wird</translation>
     </message>
     <message>
-        <source>Feed [{}]</source>
-        <translation>Vorschub [{}]</translation>
-    </message>
-    <message>
         <source>Color by</source>
         <translation>Färben nach</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>Vorschub [{}]</translation>
     </message>
     <message>
         <source>The mark is the limit at the step-over: {:.0f}°</source>
@@ -1454,8 +1454,20 @@
         <translation>Werkzeugsteuerung</translation>
     </message>
     <message>
+        <source>The tool and its feeds and speed</source>
+        <translation>Das Werkzeug mit Vorschüben und Drehzahl</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>The coolant of this operation</source>
+        <translation>Das Kühlmittel dieser Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Show feeds, speed and tool here, to change them for all operations with this tool controller</source>
+        <translation>Vorschübe, Drehzahl und Werkzeug hier zeigen, um sie für alle Bearbeitungen mit dieser Werkzeugsteuerung zu ändern</translation>
     </message>
     <message>
         <source>Edit Tool Controller</source>
@@ -1520,6 +1532,10 @@
     <message>
         <source>Ignore islands</source>
         <translation>Inseln ignorieren</translation>
+    </message>
+    <message>
+        <source>Show options that are rarely needed</source>
+        <translation>Selten benötigte Optionen zeigen</translation>
     </message>
     <message>
         <source>Advanced</source>

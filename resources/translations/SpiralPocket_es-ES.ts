@@ -360,12 +360,12 @@
         <translation>Hasta dónde se muestra el corte</translation>
     </message>
     <message>
-        <source>Feed [{}]</source>
-        <translation>Avance [{}]</translation>
-    </message>
-    <message>
         <source>Color by</source>
         <translation>Colorear por</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>Avance [{}]</translation>
     </message>
     <message>
         <source>The mark is the limit at the step-over: {:.0f}°</source>
@@ -1454,8 +1454,20 @@
         <translation>Controlador de herramienta</translation>
     </message>
     <message>
+        <source>The tool and its feeds and speed</source>
+        <translation>La herramienta con sus avances y su velocidad</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>Refrigerante</translation>
+    </message>
+    <message>
+        <source>The coolant of this operation</source>
+        <translation>El refrigerante de esta operación</translation>
+    </message>
+    <message>
+        <source>Show feeds, speed and tool here, to change them for all operations with this tool controller</source>
+        <translation>Mostrar aquí avances, velocidad y herramienta, para cambiarlos en todas las operaciones con este controlador de herramienta</translation>
     </message>
     <message>
         <source>Edit Tool Controller</source>
@@ -1520,6 +1532,10 @@
     <message>
         <source>Ignore islands</source>
         <translation>Ignorar islas</translation>
+    </message>
+    <message>
+        <source>Show options that are rarely needed</source>
+        <translation>Mostrar las opciones que rara vez hacen falta</translation>
     </message>
     <message>
         <source>Advanced</source>

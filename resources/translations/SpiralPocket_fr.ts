@@ -360,12 +360,12 @@
         <translation>Jusqu'où la coupe est montrée</translation>
     </message>
     <message>
-        <source>Feed [{}]</source>
-        <translation>Avance [{}]</translation>
-    </message>
-    <message>
         <source>Color by</source>
         <translation>Colorer selon</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>Avance [{}]</translation>
     </message>
     <message>
         <source>The mark is the limit at the step-over: {:.0f}°</source>
@@ -1454,8 +1454,20 @@
         <translation>Contrôleur d'outil</translation>
     </message>
     <message>
+        <source>The tool and its feeds and speed</source>
+        <translation>L'outil, ses avances et sa vitesse</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>Arrosage</translation>
+    </message>
+    <message>
+        <source>The coolant of this operation</source>
+        <translation>L'arrosage de cette opération</translation>
+    </message>
+    <message>
+        <source>Show feeds, speed and tool here, to change them for all operations with this tool controller</source>
+        <translation>Montrer ici avances, vitesse et outil, pour les changer dans toutes les opérations qui ont ce contrôleur d'outil</translation>
     </message>
     <message>
         <source>Edit Tool Controller</source>
@@ -1520,6 +1532,10 @@
     <message>
         <source>Ignore islands</source>
         <translation>Ignorer les îlots</translation>
+    </message>
+    <message>
+        <source>Show options that are rarely needed</source>
+        <translation>Montrer les options rarement utiles</translation>
     </message>
     <message>
         <source>Advanced</source>

@@ -360,12 +360,12 @@
         <translation>切削显示进度</translation>
     </message>
     <message>
-        <source>Feed [{}]</source>
-        <translation>进给 [{}]</translation>
-    </message>
-    <message>
         <source>Color by</source>
         <translation>着色依据</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>进给 [{}]</translation>
     </message>
     <message>
         <source>The mark is the limit at the step-over: {:.0f}°</source>
@@ -1454,8 +1454,20 @@
         <translation>刀具控制器</translation>
     </message>
     <message>
+        <source>The tool and its feeds and speed</source>
+        <translation>刀具及其进给和转速</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>冷却液</translation>
+    </message>
+    <message>
+        <source>The coolant of this operation</source>
+        <translation>此工序的冷却方式</translation>
+    </message>
+    <message>
+        <source>Show feeds, speed and tool here, to change them for all operations with this tool controller</source>
+        <translation>在此显示进给、转速和刀具，可为使用此刀具控制器的所有工序进行更改</translation>
     </message>
     <message>
         <source>Edit Tool Controller</source>
@@ -1520,6 +1532,10 @@
     <message>
         <source>Ignore islands</source>
         <translation>忽略岛屿</translation>
+    </message>
+    <message>
+        <source>Show options that are rarely needed</source>
+        <translation>显示很少用到的选项</translation>
     </message>
     <message>
         <source>Advanced</source>
