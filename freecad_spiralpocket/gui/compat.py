@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 from PathScripts import PathUtils
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from ..op.compat import IS_LEGACY, STALE_ELEMENT_ERRORS
 
@@ -28,6 +28,7 @@ __all__ = [
     "PathUtils",
     "bear_lost_selection",
     "check_box_signal",
+    "chinese_fonts",
     "freecad_icon",
     "has_tool_controller_editor",
     "run_dialog",
@@ -59,6 +60,13 @@ def bear_lost_selection(page: Any) -> None:
             return None
 
     page.selectionZLevel = height_if_there
+
+
+def chinese_fonts() -> list[str]:
+    """Return the families of fonts that have Chinese letters."""
+    is_old = QtCore.qVersion().startswith("5")
+    database = QtGui.QFontDatabase() if is_old else QtGui.QFontDatabase
+    return [str(f) for f in database.families(QtGui.QFontDatabase.SimplifiedChinese)]
 
 
 def check_box_signal(box: Any) -> Any:

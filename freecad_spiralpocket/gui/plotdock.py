@@ -17,6 +17,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from ..engine.errors import SetupError
+from .compat import chinese_fonts
 from .names import forget_namesakes
 from .plotdata import MATERIAL, Curves
 from .resulttext import decimal, feed_unit
@@ -80,11 +81,14 @@ class PlotDock:
         self._figure.set_facecolor(background)
         self._lines: list[Any] = []
         self._note: Any = None
-        if curves is not None:
-            self._plot(curves, text, background)
-        else:
-            nothing = translate("SpiralPocket", "No path: the first line of the panel says why.")
-            self._figure.text(0.5, 0.5, nothing, color=text, ha="center", va="center")
+        with _lettering():
+            if curves is not None:
+                self._plot(curves, text, background)
+            else:
+                nothing = translate(
+                    "SpiralPocket", "No path: the first line of the panel says why."
+                )
+                self._figure.text(0.5, 0.5, nothing, color=text, ha="center", va="center")
         self._background = None
         self.canvas.draw_idle()
 
@@ -176,6 +180,16 @@ class PlotDock:
     def _moved(self, event: Any) -> None:
         if event.inaxes is not None and self._curves is not None:
             self.point_at(float(np.clip(event.xdata, 0.0, self._curves.clock[-1])))
+
+
+def _lettering() -> Any:
+    """Return the context in which texts are made that may be Chinese: matplotlib's font is not."""
+    import matplotlib
+    from matplotlib.font_manager import fontManager
+
+    known = {font.name for font in fontManager.ttflist}
+    others = [family for family in chinese_fonts() if family in known]
+    return matplotlib.rc_context({"font.family": [*matplotlib.rcParams["font.family"], *others]})
 
 
 def _tick(value: float, position: int | None = None) -> str:
