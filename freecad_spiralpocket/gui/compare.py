@@ -268,7 +268,8 @@ class Card:
             return
         limit = float(np.degrees(outcome.plan.request.engagement_limit))
         scale = Scale("engagement", min(180.0, OVER_LIMIT * limit), limit)
-        self.picture.setPixmap(picture_of(outcome, scale, PICTURE, theme()))
+        fineness = self.picture.devicePixelRatioF()
+        self.picture.setPixmap(picture_of(outcome, scale, PICTURE, theme(), fineness))
         self.text.setText(_figures(outcome))
         report = outcome.plan.report
         self.seconds = report.time
