@@ -27,7 +27,7 @@ from .localized import in_panel
 from .names import forget_namesakes
 from .outlook import Outlook
 from .previewcolors import OVER_LIMIT, Scale
-from .resulttext import area, as_table, duration, length, small
+from .resulttext import area, as_table, decimal, duration, length, small
 from .themecolors import theme
 
 translate = FreeCAD.Qt.translate
@@ -268,7 +268,8 @@ class Card:
             return
         limit = float(np.degrees(outcome.plan.request.engagement_limit))
         scale = Scale("engagement", min(180.0, OVER_LIMIT * limit), limit)
-        self.picture.setPixmap(picture_of(outcome, scale, PICTURE, theme()))
+        fineness = self.picture.devicePixelRatioF()
+        self.picture.setPixmap(picture_of(outcome, scale, PICTURE, theme(), fineness))
         self.text.setText(_figures(outcome))
         report = outcome.plan.report
         self.seconds = report.time
@@ -297,7 +298,7 @@ def _figures(drawn: Drawn) -> str:
 
 def _seconds(time: float) -> str:
     """Return a time so fine that short ones can be told apart."""
-    return f"{time:.1f} s" if time < 60 else duration(time)
+    return f"{decimal(time, 1)} s" if time < 60 else duration(time)
 
 
 def _angle(angle: float, limit: float) -> str:

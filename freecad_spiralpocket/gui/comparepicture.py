@@ -19,7 +19,9 @@ SHADES, MARGIN = 24, 6
 _LEVEL = 1e-3  # mm
 
 
-def picture_of(drawn: Drawn, scale: colors.Scale, size: Any, worn: Theme) -> QtGui.QPixmap:
+def picture_of(
+    drawn: Drawn, scale: colors.Scale, size: Any, worn: Theme, fineness: float = 1.0
+) -> QtGui.QPixmap:
     """Return the deepest level of a plan as a picture.
 
     Parameters
@@ -27,11 +29,14 @@ def picture_of(drawn: Drawn, scale: colors.Scale, size: Any, worn: Theme) -> QtG
     drawn : Drawn
     scale : Scale
     size : QSize
-        In pixels.
+        In the window's pixels.
     worn : Theme
         Of the window that it is shown in.
+    fineness : float
+        How many of the screen's pixels are one of the window's.
     """
-    picture = QtGui.QPixmap(size)
+    picture = QtGui.QPixmap(size * fineness)
+    picture.setDevicePixelRatio(fineness)
     picture.fill(worn.background)
     walls = np.concatenate(drawn.areas.walls)
     low, high = walls.min(axis=0), walls.max(axis=0)

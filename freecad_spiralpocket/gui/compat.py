@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import Any
 
 from PathScripts import PathUtils
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
-from ..op.compat import IS_LEGACY, STALE_ELEMENT_ERRORS, PathOp
+from ..op.compat import IS_LEGACY, STALE_ELEMENT_ERRORS
 
 if IS_LEGACY:
     from PathScripts import PathOpGui, PathSelection
@@ -23,12 +23,12 @@ else:
 
 __all__ = [
     "INACTIVE_ICON",
-    "NO_TOOL_CONTROLLER_ERRORS",
     "PathOpGui",
     "PathSelection",
     "PathUtils",
     "bear_lost_selection",
     "check_box_signal",
+    "chinese_fonts",
     "freecad_icon",
     "has_tool_controller_editor",
     "run_dialog",
@@ -42,9 +42,6 @@ def freecad_icon(name: str) -> str:
 
 #: FreeCAD's icon for an operation that is switched off.
 INACTIVE_ICON = freecad_icon("OpActive")
-
-#: What making an operation raises when the job has no tool controller, or none was chosen.
-NO_TOOL_CONTROLLER_ERRORS = (PathUtils.PathNoTCExistsException, PathOp.PathNoTCException)
 
 
 def bear_lost_selection(page: Any) -> None:
@@ -63,6 +60,13 @@ def bear_lost_selection(page: Any) -> None:
             return None
 
     page.selectionZLevel = height_if_there
+
+
+def chinese_fonts() -> list[str]:
+    """Return the families of fonts that have Chinese letters."""
+    is_old = QtCore.qVersion().startswith("5")
+    database = QtGui.QFontDatabase() if is_old else QtGui.QFontDatabase
+    return [str(f) for f in database.families(QtGui.QFontDatabase.SimplifiedChinese)]
 
 
 def check_box_signal(box: Any) -> Any:

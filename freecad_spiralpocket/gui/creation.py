@@ -13,8 +13,9 @@ import FreeCAD
 from ..engine.dependencies import require_libraries
 from ..engine.errors import SetupError, SpiralPocketError
 from ..op import operation
+from ..op.compat import PathOp
 from . import messages
-from .compat import NO_TOOL_CONTROLLER_ERRORS, PathUtils
+from .compat import PathUtils
 from .viewprovider import ViewProvider
 
 translate = FreeCAD.Qt.translate
@@ -45,14 +46,16 @@ def create(job: Any) -> Any:
     SpiralPocketError
         If it cannot be made; the document is as before.
     """
-    require_tool_controller(job)
     document = job.Document
     document.openTransaction(translate("SpiralPocket", "Create Spiral Pocket"))
     try:
         obj = operation.Create(operation.NAME, parentJob=job)
         ViewProvider(obj.ViewObject, is_new=True)
         obj.ViewObject.Visibility = True
-    except NO_TOOL_CONTROLLER_ERRORS:
+    except PathUtils.PathNoTCExistsException as error:
+        abort(document)
+        raise no_tool_controller(job) from error
+    except PathOp.PathNoTCException:
         abort(document)
         return None
     except BaseException:
@@ -61,18 +64,14 @@ def create(job: Any) -> Any:
     return obj
 
 
-def require_tool_controller(job: Any) -> None:
-    """Raise if a job has no tool controller: FreeCAD's panel cannot do without.
-
-    Raises
-    ------
-    SetupError
-    """
-    if not job.Tools.Group:
-        raise SetupError(
-            translate("SpiralPocket", "{} has no tool controller.").format(job.Label),
-            translate("SpiralPocket", "Add one with an end mill to the job, then try again."),
-        )
+def no_tool_controller(job: Any) -> SetupError:
+    """Return what to say where there is none that FreeCAD's panel could show."""
+    return SetupError(
+        translate("SpiralPocket", "{} has no tool controller that can clear a pocket.").format(
+            job.Label
+        ),
+        translate("SpiralPocket", "Add one with an end mill to the job, then try again."),
+    )
 
 
 def abort(document: Any) -> None:

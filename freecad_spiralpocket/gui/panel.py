@@ -11,16 +11,16 @@ from collections.abc import Sequence
 from typing import Any
 
 import FreeCAD
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from ..engine.model import FeedMode, Strategy
-from ..op.compat import parent_job
+from ..op.compat import parent_job, supplied_tool_controller
 from ..op.properties import INHERITED, TABLE, option_names
 from .basepage import BaseGeometryPage
 from .choices import strategy_note
 from .compat import PathOpGui, PathUtils, has_tool_controller_editor
 from .extras import FACTORIES, Extra
-from .fields import Check, Choice, Field, LinkFeed, Number, Quantity
+from .fields import Check, Choice, Field, LinkFeed, Number, Quantity, silent
 from .names import load_form, rightly_named
 from .startpoint import StartPointField
 from .startup import RESOURCES
@@ -73,6 +73,10 @@ OF_CONTROLLER = (
 OF_TOOL = ("Label", "Diameter", "CuttingEdgeHeight", "Flutes", "ShapeType", "ShapeName", "ToolType")
 
 
+#: Least width of a box to type into, in the font's height; a row that is wider is wrapped.
+SPIN_BOX = 7.0
+
+
 class OperationPage(PathOpGui.TaskPanelPage):
     """The operation's own page; FreeCAD calls its methods."""
 
@@ -91,6 +95,8 @@ class OperationPage(PathOpGui.TaskPanelPage):
         if not has_tool_controller_editor():
             form.editToolController.hide()
         form.advancedFrame.hide()
+        for box in form.findChildren(QtGui.QAbstractSpinBox):
+            box.setMinimumWidth(int(SPIN_BOX * box.fontMetrics().height()))
         return form
 
     def taskPanelBaseGeometryPage(self, obj: Any, features: int) -> Any:  # noqa: N802
@@ -106,15 +112,27 @@ class OperationPage(PathOpGui.TaskPanelPage):
             *(kind(getattr(self.form, widget), obj, name) for widget, name, kind in FIELDS),
             self.start_point,
         ]
+        for label in self.form.findChildren(QtGui.QLabel):
+            if label.buddy() is not None:
+                label.setToolTip(label.buddy().toolTip())
         self.form.advanced.setChecked(is_advanced(obj))
         self.tool = tool_of(obj)
         self.extras = [make(self) for make in FACTORIES]
         self.boxes = [box for box in [extra.widget() for extra in self.extras] if box is not None]
 
     def setupToolController(self, *obj_and_combo: Any) -> None:  # noqa: N802
-        """Fill the list of tool controllers; 1.1 makes an editor for the chosen one each time."""
-        with rightly_named():
+        """Fill the list of tool controllers; 1.1 makes an editor for the chosen one each time.
+
+        Where the operation's own was deleted the first is chosen: 1.1 fails where the user, asked
+        for one, chooses none. Where its tool cannot clear a pocket it is not in the list.
+        """
+        first = next(iter(PathUtils.getToolControllers(self.obj)), None)
+        with rightly_named(), supplied_tool_controller(first):
             super().setupToolController(*obj_and_combo)
+        combo, controller = self.form.toolController, self.obj.ToolController
+        if controller is None or combo.currentText() != controller.Label:
+            with silent(combo):
+                combo.setCurrentIndex(-1)
 
     def resetToolController(self, job: Any, tc: Any) -> None:  # noqa: N802
         """Take a tool controller that was just added, if that was to the operation's own job."""

@@ -13,6 +13,7 @@ from ..beside.tasks import Drawn
 from ..engine.force import MATERIALS, Cutter, cutting_forces
 from ..engine.model import CutMode, Floats
 from ..engine.toolpath import Role
+from ..op.results import start_times
 
 #: The material that forces are told for, until the part has one of its own.
 MATERIAL = "Aluminum 6082-T6"
@@ -50,8 +51,8 @@ def curves_of(pockets: Sequence[Drawn], tool_controller: Any) -> Curves:
     tool = tool_controller.Proxy.getTool(tool_controller)
     flutes = int(getattr(tool, "Flutes", 0) or FLUTES)
     spindle_speed = float(tool_controller.SpindleSpeed) / 60
-    parts, forces, begin = [], [], 0.0
-    for drawn in pockets:
+    parts, forces = [], []
+    for drawn, begin in zip(pockets, start_times([d.plan for d in pockets]), strict=True):
         trace, request = drawn.trace, drawn.plan.request
         # a stretch has the values of its end; the first vertex those of the first stretch
         ends = np.maximum(np.arange(len(trace.clock)) - 1, 0)
@@ -71,7 +72,6 @@ def curves_of(pockets: Sequence[Drawn], tool_controller: Any) -> Curves:
                 climb=request.cutting.cut_mode is CutMode.CLIMB,
             )
             forces.append(np.where(rests, np.nan, np.where(angles > 0, cut.mean, 0.0)))
-        begin += float(trace.clock[-1])
     clock, engagement, feed, velocity = (np.concatenate(c) for c in zip(*parts, strict=True))
     limit = float(np.degrees(max(d.plan.request.engagement_limit for d in pockets)))
     force = np.concatenate(forces) if forces else None

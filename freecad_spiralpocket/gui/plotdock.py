@@ -17,9 +17,10 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from ..engine.errors import SetupError
+from .compat import chinese_fonts
 from .names import forget_namesakes
 from .plotdata import MATERIAL, Curves
-from .resulttext import feed_unit
+from .resulttext import decimal, feed_unit
 from .themecolors import theme
 
 translate = FreeCAD.Qt.translate
@@ -80,11 +81,14 @@ class PlotDock:
         self._figure.set_facecolor(background)
         self._lines: list[Any] = []
         self._note: Any = None
-        if curves is not None:
-            self._plot(curves, text, background)
-        else:
-            nothing = translate("SpiralPocket", "No path: the first line of the panel says why.")
-            self._figure.text(0.5, 0.5, nothing, color=text, ha="center", va="center")
+        with _lettering():
+            if curves is not None:
+                self._plot(curves, text, background)
+            else:
+                nothing = translate(
+                    "SpiralPocket", "No path: the first line of the panel says why."
+                )
+                self._figure.text(0.5, 0.5, nothing, color=text, ha="center", va="center")
         self._background = None
         self.canvas.draw_idle()
 
@@ -132,6 +136,8 @@ class PlotDock:
             axes.tick_params(colors=text, labelsize="small")
             axes.grid(color=text, alpha=0.15)
             axes.set_ylim(0, None)
+            for axis in (axes.xaxis, axes.yaxis):
+                axis.set_major_formatter(_tick)
             for side in axes.spines.values():
                 side.set_color(text)
                 side.set_alpha(0.4)
@@ -160,7 +166,7 @@ class PlotDock:
         curves = self._curves
         assert curves is not None
         at = min(int(np.searchsorted(curves.clock, seconds)), len(curves.clock) - 1)
-        texts = [f"{seconds:.1f} s", f"{np.nan_to_num(curves.engagement[at]):.0f}°"]
+        texts = [f"{decimal(seconds, 1)} s", f"{np.nan_to_num(curves.engagement[at]):.0f}°"]
         factor, unit = feed_unit()
         texts.append(f"{curves.velocity[at] / factor:.0f} {unit}")
         if curves.force is not None:
@@ -174,3 +180,18 @@ class PlotDock:
     def _moved(self, event: Any) -> None:
         if event.inaxes is not None and self._curves is not None:
             self.point_at(float(np.clip(event.xdata, 0.0, self._curves.clock[-1])))
+
+
+def _lettering() -> Any:
+    """Return the context in which texts are made that may be Chinese: matplotlib's font is not."""
+    import matplotlib
+    from matplotlib.font_manager import fontManager
+
+    known = {font.name for font in fontManager.ttflist}
+    others = [family for family in chinese_fonts() if family in known]
+    return matplotlib.rc_context({"font.family": [*matplotlib.rcParams["font.family"], *others]})
+
+
+def _tick(value: float, position: int | None = None) -> str:
+    """Return a number at an axis with the user's decimal mark."""
+    return f"{value:g}".replace(".", str(QtCore.QLocale().decimalPoint()))

@@ -16,6 +16,8 @@ import numpy as np
 from ..beside.tasks import Drawn
 from ..engine.model import Floats
 from ..op import preferences
+from ..op.request import has_feeds
+from ..op.results import machining_time, start_times
 from .localized import in_panel
 from .outlook import Outlook, Pocket
 from .previewbox import PreviewBox
@@ -93,7 +95,9 @@ class Preview:
             self._scene.show(list(kept.values()))
             self._play(self.box.share)
         self.box.bar.set_scale(scale)
-        self.box.set_total(sum(_seconds(d) for d in self._drawn()) if self._outlook.plans else 0.0)
+        plans = self._outlook.plans
+        is_known = bool(plans) and has_feeds(self._obj.ToolController)
+        self.box.set_total(machining_time(plans), is_known=is_known)
         self.box.status.setText(self._status())
 
     def _wanted_scale(self) -> Scale:
@@ -140,28 +144,24 @@ class Preview:
 
     def _play(self, share: float) -> None:
         """Show the cut up to a share of its time."""
-        drawn = self._drawn()
-        seconds = share * sum(_seconds(d) for d in drawn)
-        gone = 0.0
-        for pocket in self._outlook.pockets:
+        pockets = [p for p in self._outlook.pockets if p.drawn is not None]
+        plans = [d.plan for d in self._drawn()]
+        seconds = share * machining_time(plans)
+        for pocket, begin in zip(pockets, start_times(plans), strict=True):
             item = self._items.get(pocket)
-            if pocket.drawn is not None and isinstance(item, PathItem):
-                item.play(seconds - gone if share < 1 else np.inf)
-                gone += _seconds(pocket.drawn)
-        self.point_at(seconds if share < 1 and drawn else None)
+            if isinstance(item, PathItem):
+                item.play(seconds - begin if share < 1 else np.inf)
+        self.point_at(seconds if share < 1 and plans else None)
 
     def _place(self, seconds: float | None) -> tuple[Floats | None, Drawn | None]:
         """Return where the cutter is at a time of the whole cut, and in which plan."""
+        found = None, None
+        drawn = self._drawn()
         if seconds is not None:
-            for drawn in self._drawn():
-                if seconds <= _seconds(drawn):
-                    return drawn.trace.point_at(seconds), drawn
-                seconds -= _seconds(drawn)
-        return None, None
-
-
-def _seconds(drawn: Drawn) -> float:
-    return float(drawn.trace.clock[-1])
+            for each, begin in zip(drawn, start_times([d.plan for d in drawn]), strict=True):
+                if begin <= seconds:  # until the next begins it stands where this one ends
+                    found = each.trace.point_at(seconds - begin), each
+        return found
 
 
 def _path_item(drawn: Drawn, scale: Scale) -> PathItem:

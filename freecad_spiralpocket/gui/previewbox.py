@@ -43,7 +43,7 @@ class PreviewBox(QtGui.QWidget):
         self.setWindowTitle(translate("SpiralPocket", "Preview"))
         self.setWindowIcon(QtGui.QIcon(freecad_icon("Simulator")))
         self.setObjectName("SpiralPocketPreviewBox")
-        self._total = 0.0
+        self._total, self._is_known = 0.0, False
         self.live = QtGui.QCheckBox(translate("SpiralPocket", "Live"))
         self.live.setToolTip(translate("SpiralPocket", "Draw the path anew while values change"))
         self.live.setChecked(True)
@@ -52,9 +52,7 @@ class PreviewBox(QtGui.QWidget):
         feed = translate("SpiralPocket", "Feed [{}]").format(feed_unit()[1])
         self.quantity.addItem(feed, "feed")
         self.quantity.setToolTip(translate("SpiralPocket", "What the colors of the cut show"))
-        # FreeCAD 0.20 opens with a narrow panel, which would be cut off at the right
-        self.quantity.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-        self.quantity.setMinimumContentsLength(6)
+        self.quantity.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToContents)
         self.bar = ColorBar()
         self.play = QtGui.QToolButton()
         self.play.setCheckable(True)
@@ -64,6 +62,8 @@ class PreviewBox(QtGui.QWidget):
         self.slider.setRange(0, STEPS)
         self.slider.setValue(STEPS)
         self.slider.setToolTip(translate("SpiralPocket", "How far the cut is shown"))
+        for widget in (self.play, self.slider):  # which have no words of their own
+            widget.setAccessibleName(widget.toolTip())
         self.clock = QtGui.QLabel()
         self.status = QtGui.QLabel()
         self.status.setWordWrap(True)
@@ -76,9 +76,9 @@ class PreviewBox(QtGui.QWidget):
         self.slider.valueChanged.connect(lambda value: self._move(value, moved))
         self.play.toggled.connect(self._show_playing)
 
-    def set_total(self, seconds: float) -> None:
-        """Show how long the whole cut takes; 0 greys the player."""
-        self._total = seconds
+    def set_total(self, seconds: float, *, is_known: bool = True) -> None:
+        """Show how long the whole cut takes, if that is known; 0 greys the player."""
+        self._total, self._is_known = seconds, is_known
         for widget in (self.play, self.slider):
             widget.setEnabled(seconds > 0)
         if not seconds:
@@ -93,11 +93,12 @@ class PreviewBox(QtGui.QWidget):
     def _lay_out(self) -> None:
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
-        top, player = QtGui.QHBoxLayout(), QtGui.QHBoxLayout()
-        top.addWidget(self.live)
-        top.addStretch()
-        top.addWidget(QtGui.QLabel(translate("SpiralPocket", "Color by")))
-        top.addWidget(self.quantity, 1)
+        top, color, player = QtGui.QFormLayout(), QtGui.QFormLayout(), QtGui.QHBoxLayout()
+        for form in (top, color):
+            form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)  # in a narrow panel
+            form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        color.addRow(translate("SpiralPocket", "Color by"), self.quantity)
+        top.addRow(self.live, color)
         for widget in (self.play, self.slider, self.clock):
             player.addWidget(widget)
         layout.addLayout(top)
@@ -111,7 +112,7 @@ class PreviewBox(QtGui.QWidget):
         moved(value / STEPS)
 
     def _show_clock(self) -> None:
-        if self._total:
+        if self._total and self._is_known:
             self.clock.setText(f"{duration(self.share * self._total) if self.share else '0 s'}")
         else:
             self.clock.setText("")

@@ -18,7 +18,7 @@ translate = FreeCAD.Qt.translate
 BAR, ALL = 0.7, 2.4
 #: Steps between the values at the bar, at most so many.
 STEPS, MOST = (5, 10, 15, 20, 30, 45, 50, 100, 200, 250, 500, 1000, 2000, 2500, 5000, 10000), 5
-COLUMNS = 3  # of swatches
+COLUMNS = 3  # of swatches, at most
 
 
 def ticks(top: float) -> list[int]:
@@ -91,21 +91,41 @@ class Swatches(QtGui.QWidget):
             ("area", colors.LEFT, translate("SpiralPocket", "left over")),
             ("area", colors.ISLAND, translate("SpiralPocket", "island")),
         )
-        rows = -(-len(self._entries) // COLUMNS)
-        self.setMinimumHeight(int(rows * self._row))
+        self.setMinimumWidth(self.widest)
+        self.setMinimumHeight(self.height_of(COLUMNS))
+
+    def resizeEvent(self, event: Any) -> None:  # noqa: N802 - the name Qt calls
+        """Take the height of as many columns as there is room for."""
+        self.setMinimumHeight(self.height_of(self.columns(self.width())))
+
+    def height_of(self, columns: int) -> int:
+        """Return how high all are in so many columns."""
+        return int(-(-len(self._entries) // columns) * self._row)
+
+    def columns(self, width: int) -> int:
+        """Return how many columns there is room for."""
+        return max(1, min(COLUMNS, width // self.widest))
 
     @property
     def _row(self) -> float:
         return 1.25 * self.fontMetrics().height()
+
+    @property
+    def widest(self) -> int:
+        """Return how wide a column is at least, with some space on its left."""
+        metrics = self.fontMetrics()
+        widest = max(metrics.boundingRect(text).width() for _, _, text in self._entries)
+        return widest + metrics.height() // 2 + 5 * metrics.ascent() // 2
 
     def paintEvent(self, event: Any) -> None:  # noqa: N802 - the name Qt calls
         """Draw all, in columns."""
         painter = QtGui.QPainter(self)
         metrics = self.fontMetrics()
         side, left = metrics.ascent(), metrics.height() // 2
-        column = (self.width() - left) // COLUMNS
+        columns = self.columns(self.width())
+        column = (self.width() - left) // columns
         for i, (kind, rgb, text) in enumerate(self._entries):
-            x, y = left + i % COLUMNS * column, int(i // COLUMNS * self._row)
+            x, y = left + i % columns * column, int(i // columns * self._row)
             color = QtGui.QColor.fromRgbF(*rgb)
             if kind == "area":
                 painter.fillRect(x + (2 * side - side) // 2, y + 1, side, side, color)

@@ -24,14 +24,14 @@ def small(value: float, power: int = 1) -> str:
     """
     factor, unit = _user_unit()
     digits = 3 if factor < 20 else 4
-    return f"{_decimal(value / factor**power, digits)} {unit}{'²' if power == 2 else ''}"
+    return f"{decimal(value / factor**power, digits)} {unit}{'²' if power == 2 else ''}"
 
 
 def length(value: float) -> str:
     """Return a length [mm] in the user's unit, a long one in meters where that is metric."""
     if value < 1000 or not _user_unit()[1].endswith("m"):
         return str(FreeCAD.Units.Quantity(value, FreeCAD.Units.Length).UserString)
-    return f"{_decimal(value / 1000, 2)} m"
+    return f"{decimal(value / 1000, 2)} m"
 
 
 def area(value: float) -> str:
@@ -62,7 +62,7 @@ def switched_off() -> str:
     return translate("SpiralPocket", "Switched off: no path until Active is set again.")
 
 
-def _decimal(value: float, digits: int) -> str:
+def decimal(value: float, digits: int) -> str:
     """Return a number with the user's decimal mark."""
     return f"{value:.{digits}f}".replace(".", str(QtCore.QLocale().decimalPoint()))
 
@@ -82,11 +82,11 @@ def in_user_unit(text: str) -> str:
 
     def measure(found: re.Match[str]) -> str:
         power = 2 if found[2] else 1
-        value = _decimal(_number(found[1]) / factor**power, digits)
+        value = decimal(_number(found[1]) / factor**power, digits)
         return f"{_short(value)} {unit}{'²' if found[2] else ''}"
 
     def coordinate(found: re.Match[str]) -> str:
-        return found[1] + _decimal(_number(found[2]) / factor, digits - 1)
+        return found[1] + decimal(_number(found[2]) / factor, digits - 1)
 
     return _COORDINATE.sub(coordinate, _MEASURE.sub(measure, text))
 
@@ -95,9 +95,9 @@ def _number(text: str) -> float:
     return float(text.replace(",", "."))
 
 
-def _short(decimal: str) -> str:
+def _short(number: str) -> str:
     """Return a decimal number without the zeros at its end."""
-    return decimal.rstrip("0").rstrip(".,")
+    return number.rstrip("0").rstrip(".,")
 
 
 def as_table(figures: Sequence[tuple[str, str]]) -> str:

@@ -10,21 +10,38 @@ from PySide import QtCore, QtGui
 
 #: The dock that holds task panels, since 1.0 and before.
 DOCKS = ("Tasks", "Combo View")
+#: Pixels for what FreeCAD draws around its boxes.
+FRAMES = 8
 
 
-def make_room(shown: Any) -> None:
-    """Make the dock wide enough for the panel that a widget belongs to."""
+def make_room(pages: Any, shown: Any, folded: Any) -> None:
+    """Make the dock wide enough for the panel.
+
+    Parameters
+    ----------
+    pages : QWidget
+        Holds all pages.
+    shown : QWidget
+        The page that needs the most.
+    folded : QWidget
+        What may be unfolded in it.
+    """
     window = FreeCADGui.getMainWindow()
     docks = [window.findChild(QtGui.QDockWidget, name) for name in DOCKS]
     for dock in docks:
         if dock is None or dock.isFloating() or not dock.isAncestorOf(shown):
             continue
+        if window.dockWidgetArea(dock) == QtCore.Qt.NoDockWidgetArea:
+            continue  # it lies over the view (since 1.0), where FreeCAD keeps the width it has
+        lacks = 0
         for area in dock.findChildren(QtGui.QScrollArea):
             if area.isAncestorOf(shown) and area.widget() is not None:
-                bar = area.verticalScrollBar().sizeHint().width()  # it may come later
-                needed = area.widget().minimumSizeHint().width() + bar + 2 * area.frameWidth()
-                lacks = needed - area.width()
-                if lacks > 0:
-                    wide = dock.width() + lacks
-                    window.resizeDocks([dock], [wide], QtCore.Qt.Horizontal)
-                    return
+                around = area.verticalScrollBar().sizeHint().width()  # it may come later
+                around += 2 * area.frameWidth()
+                wide = area.widget().minimumSizeHint().width()
+                if area.widget() is shown:  # FreeCAD leaves it out of its reckoning
+                    wide = max(wide, folded.minimumSizeHint().width())
+                    pages.setMinimumWidth(wide + around)
+                lacks = max(lacks, wide + around - area.width())
+        if lacks > 0:
+            window.resizeDocks([dock], [dock.width() + lacks + FRAMES], QtCore.Qt.Horizontal)

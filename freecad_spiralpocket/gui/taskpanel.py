@@ -29,12 +29,15 @@ from .room import make_room
 
 translate = FreeCAD.Qt.translate
 
+AFTER_LAYOUT = 10  # ms: 0 would come among the events that lay the widgets out
+
 
 class TaskPanel(PathOpGui.TaskPanel):
     """The operation's task panel; FreeCAD calls its methods."""
 
     def __init__(self, obj: Any, is_new: bool, page: Any, selection_factory: Any) -> None:
         self.document, self.name = obj.Document, obj.Name
+        self.document_name = obj.Document.Name
         self.job_name = parent_job(obj).Name
         self.view_provider = obj.ViewObject.Proxy
         self.operation_page = page
@@ -68,7 +71,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.is_open = True
         FreeCAD.addDocumentObserver(self)
         self.operation_page.form.destroyed.connect(self._lose_widgets)
-        QtCore.QTimer.singleShot(0, self._make_room)
+        QtCore.QTimer.singleShot(AFTER_LAYOUT, self._make_room)
 
     def accept(self, resetEdit: bool = True) -> Any:  # noqa: N803
         """Take the values over and close, if there is a path or the user knows there is none.
@@ -93,10 +96,25 @@ class TaskPanel(PathOpGui.TaskPanel):
         proxy.plans, proxy.errors = self.outcome
         for obj in _touched(self.document) - self.touched:
             obj.purgeTouched()  # values and path are as they were: nothing to compute
-        if self.deleteOnReject and self.document.getObject(self.name) is not None:
-            self._remove()  # it was made in a transaction of its own
+        if self.deleteOnReject:
+            self.remove()  # it was made in a transaction of its own
         self.cleanup(resetEdit)
         return True
+
+    def leave(self) -> None:
+        """Close as Cancel does, as FreeCAD ends the editing.
+
+        FreeCAD keeps what was done, and goes on with the operation: a new one is removed when that
+        is over, unless the document is closed.
+        """
+        if not self.deleteOnReject:
+            self.reject(False)
+            return
+        self.preCleanup()
+        self.panelCleanup()
+        FreeCADGui.Control.closeDialog()
+        LEFT.append(self)
+        QtCore.QTimer.singleShot(0, remove_left)
 
     def clicked(self, button: Any) -> None:
         """Compute when Apply was pressed; OK and Cancel have methods of their own."""
@@ -143,6 +161,8 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.panelCleanup()
         if not self.has_lost_widgets:
             FreeCADGui.Control.closeDialog()
+        if not self.has_document:
+            return
         self.view_provider.clearTaskPanel()
         FreeCADGui.getDocument(self.document.Name).resetEdit()
         _close_transaction(abort=False)
@@ -170,6 +190,11 @@ class TaskPanel(PathOpGui.TaskPanel):
 
     slotRedoDocument = slotUndoDocument  # noqa: N815 - the name FreeCAD calls
 
+    @property
+    def has_document(self) -> bool:
+        """Return whether the document is open still."""
+        return FreeCAD.listDocuments().get(self.document_name) == self.document
+
     def _has_operation(self) -> bool:
         """Return whether the panel is open and its operation neither gone nor going."""
         obj = self.document.getObject(self.name) if self.is_open else None
@@ -185,7 +210,8 @@ class TaskPanel(PathOpGui.TaskPanel):
 
     def _make_room(self) -> None:
         if self.is_open:
-            make_room(self.operation_page.form)
+            form = self.operation_page.form
+            make_room(self.form[0], form, form.advancedFrame)
 
     def _lose_widgets(self, *_: Any) -> None:
         """Close, as the widgets are gone, if nobody has told us to."""
@@ -205,11 +231,27 @@ class TaskPanel(PathOpGui.TaskPanel):
             )
         ]
 
-    def _remove(self) -> None:
-        self.document.openTransaction(translate("SpiralPocket", "Remove Spiral Pocket"))
+    def remove(self) -> None:
+        """Remove the operation, as one step to undo or as part of the one that is under way."""
+        if not self.has_document or self.document.getObject(self.name) is None:
+            return
+        is_alone = FreeCAD.getActiveTransaction() is None
+        if is_alone:
+            self.document.openTransaction(translate("SpiralPocket", "Remove Spiral Pocket"))
         self.view_provider.onDelete(self.obj.ViewObject)
         self.document.removeObject(self.name)
-        self.document.commitTransaction()
+        if is_alone:
+            self.document.commitTransaction()
+
+
+#: Panels that FreeCAD has closed while their operations were new.
+LEFT: list[TaskPanel] = []
+
+
+def remove_left() -> None:
+    """Remove the new operations that FreeCAD has left."""
+    while LEFT:
+        LEFT.pop().remove()
 
 
 class _WithWholeProperties:

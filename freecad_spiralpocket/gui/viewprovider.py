@@ -17,16 +17,17 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore
 
-from ..engine.errors import SetupError, SpiralPocketError
+from ..engine.errors import SpiralPocketError
 from ..op import presets
 from ..op.compat import parent_job
 from ..op.expressions import check_expressions
+from ..op.operation import required_job
 from . import messages, progress
 from .command import ICON
-from .compat import INACTIVE_ICON, PathOpGui, PathSelection
+from .compat import INACTIVE_ICON, PathOpGui, PathSelection, PathUtils
 from .panel import OperationPage
 from .startup import RESOURCES
-from .taskpanel import TaskPanel
+from .taskpanel import TaskPanel, remove_left
 
 translate = FreeCAD.Qt.translate
 
@@ -72,6 +73,7 @@ class ViewProvider(PathOpGui.ViewProvider):
         """Open the panel."""
         if mode != 0:
             return False
+        remove_left()  # before this panel begins a step to undo
         obj = (vobj or self.vobj).Object
         try:
             _require_job(obj)
@@ -97,7 +99,7 @@ class ViewProvider(PathOpGui.ViewProvider):
         if self.Object.Removing or self.Object.Document.Transacting:
             QtCore.QTimer.singleShot(0, self.panel.abandon)
         else:
-            self.panel.reject(False)
+            self.panel.leave()
 
     def setupTaskPanel(self, panel: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show the panel; the job shows the model in its place, if it can."""
@@ -138,13 +140,9 @@ class ViewProvider(PathOpGui.ViewProvider):
 
 
 def _require_job(obj: Any) -> None:
-    """Raise if an operation is in no job, or in one without tools."""
-    from .creation import require_tool_controller  # which makes operations with this provider
+    """Raise if an operation is in no job, or in one without tools: FreeCAD's panel would fail."""
+    from .creation import no_tool_controller  # which makes operations with this provider
 
-    job = parent_job(obj)
-    if job is None:
-        raise SetupError(
-            translate("SpiralPocket", "{} is not in a job.").format(obj.Label),
-            translate("SpiralPocket", "Drag it into the job's operations."),
-        )
-    require_tool_controller(job)
+    job = required_job(obj)
+    if obj.ToolController is None and not PathUtils.getToolControllers(obj):
+        raise no_tool_controller(job)

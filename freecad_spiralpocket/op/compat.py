@@ -64,6 +64,7 @@ __all__ = [
     "supplied_tool_controller",
     "tool_name",
     "tool_shape",
+    "unreadable_job",
 ]
 
 #: What ``Shape.getElement`` raises for a face that is not there (any more), and what an empty
@@ -92,6 +93,16 @@ LEGACY_SHAPES = {
 def parent_job(obj: Any) -> Any:
     """Return the job that `obj` belongs to, or None."""
     return PathUtils.findParentJob(obj)
+
+
+def unreadable_job(obj: Any) -> Any:
+    """Return the job of `obj` if this FreeCAD cannot read it, else None.
+
+    The jobs of 0.20 are in modules that 1.0 and later lack, and the other way round.
+    """
+    holders = [holder for group in obj.InList for holder in group.InList]
+    lost = (h for h in holders if hasattr(h, "Operations") and getattr(h, "Proxy", h) is None)
+    return next(lost, None)
 
 
 def operation_property(operation: Any, name: str) -> Any:

@@ -33,6 +33,7 @@ from .compat import (
     parent_job,
     tool_name,
     tool_shape,
+    unreadable_job,
 )
 from .tools import ROUND_TOOLS, UNSUITABLE_TOOLS
 
@@ -194,9 +195,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         ------
         SetupError
         """
-        job = parent_job(obj)
-        if job is None:
-            raise SetupError(f"{obj.Label} is not in a job.", "Drag it into the job's operations.")
+        job = required_job(obj)
         if not job.Model.Group:
             raise SetupError(f"{job.Label} has no model.", "Add the part to the job's model.")
         if job.Stock is None:
@@ -253,6 +252,26 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
 
     def __setstate__(self, state: Any) -> None:
         """Restore nothing (0.20)."""
+
+
+def required_job(obj: Any) -> Any:
+    """Return the job that an operation is in.
+
+    Raises
+    ------
+    SetupError
+        If there is none.
+    """
+    job = parent_job(obj)
+    if job is not None:
+        return job
+    lost = unreadable_job(obj)
+    if lost is not None:
+        raise SetupError(
+            f"This FreeCAD cannot read {lost.Label}, which another version has saved.",
+            "Open the document in that version, or make a new job here.",
+        )
+    raise SetupError(f"{obj.Label} is not in a job.", "Drag it into the job's operations.")
 
 
 def SetupProperties() -> list[str]:  # noqa: N802 - the name FreeCAD calls

@@ -57,11 +57,17 @@ def _figures(obj: Any, plans: Sequence[Plan]) -> dict[str, float]:
 
 def machining_time(plans: Sequence[Plan]) -> float:
     """Return the time of all pockets and the rapids between them [s]."""
-    time = sum(p.report.time for p in plans)
+    return start_times(plans)[-1] + plans[-1].report.time if plans else 0.0
+
+
+def start_times(plans: Sequence[Plan]) -> list[float]:
+    """Return when each pocket begins: after those before it and the rapids between them [s]."""
+    times = [0.0]
     for before, after in pairwise(plans):
         way = after.toolpath.start[:2] - before.toolpath.points[-1, :2]
-        time += float(np.hypot(*way)) / after.request.feeds.horizontal_rapid
-    return time
+        rapid = float(np.hypot(*way)) / after.request.feeds.horizontal_rapid
+        times.append(times[-1] + before.report.time + rapid)
+    return times[: len(plans)]
 
 
 def set_cycle_time(obj: Any, plans: Sequence[Plan]) -> None:

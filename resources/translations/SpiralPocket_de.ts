@@ -228,8 +228,8 @@
         <translation>Dem Auftrag eine mit Schaftfräser hinzufügen und erneut versuchen.</translation>
     </message>
     <message>
-        <source>{} has no tool controller.</source>
-        <translation>{} hat keine Werkzeugsteuerung.</translation>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} hat keine Werkzeugsteuerung, die eine Tasche räumen kann.</translation>
     </message>
     <message>
         <source>Type a number.</source>
@@ -276,12 +276,12 @@
         <translation>Diagramme der Spiraltasche</translation>
     </message>
     <message>
-        <source>No path: the first line of the panel says why.</source>
-        <translation>Kein Pfad: Die erste Zeile des Panels sagt, warum.</translation>
-    </message>
-    <message>
         <source>Mean cutting force in {} [N]</source>
         <translation>Mittlere Schnittkraft in {} [N]</translation>
+    </message>
+    <message>
+        <source>No path: the first line of the panel says why.</source>
+        <translation>Kein Pfad: Die erste Zeile des Panels sagt, warum.</translation>
     </message>
     <message>
         <source>Engagement [°]</source>
@@ -360,12 +360,12 @@
         <translation>Wie weit der Schnitt gezeigt wird</translation>
     </message>
     <message>
-        <source>Feed [{}]</source>
-        <translation>Vorschub [{}]</translation>
-    </message>
-    <message>
         <source>Color by</source>
         <translation>Färben nach</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>Vorschub [{}]</translation>
     </message>
     <message>
         <source>The mark is the limit at the step-over: {:.0f}°</source>
@@ -480,10 +480,6 @@
         <translation>Noch einmal OK behält, was ohne das gemacht wurde.</translation>
     </message>
     <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>Spiraltasche entfernen</translation>
-    </message>
-    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>Ein Fehler in der Erweiterung: der Pfad wurde nicht berechnet.</translation>
     </message>
@@ -492,16 +488,12 @@
         <translation>Bitte melden, mit dem Text aus der Berichtsansicht.</translation>
     </message>
     <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Spiraltasche entfernen</translation>
+    </message>
+    <message>
         <source>Use as Default in This Job</source>
         <translation>Als Vorgabe in diesem Auftrag verwenden</translation>
-    </message>
-    <message>
-        <source>Drag it into the job's operations.</source>
-        <translation>In die Operationen des Auftrags ziehen.</translation>
-    </message>
-    <message>
-        <source>{} is not in a job.</source>
-        <translation>{} ist in keinem Auftrag.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -897,6 +889,10 @@
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
         <translation>Von der seitlichen Zustellung von {0} % nutzt Automatisch {1}: Breitere Bahnen ließen Material stehen, wo sie sich treffen.</translation>
+    </message>
+    <message>
+        <source>Open the document in that version, or make a new job here.</source>
+        <translation>Das Dokument in jener Version öffnen oder hier einen neuen Auftrag anlegen.</translation>
     </message>
     <message>
         <source>Other strategies use it whole, and may leave stock.</source>
@@ -1355,6 +1351,10 @@
         <translation>Es gibt keine Maschine '{0}'.</translation>
     </message>
     <message>
+        <source>This FreeCAD cannot read {0}, which another version has saved.</source>
+        <translation>Dieses FreeCAD kann {0} nicht lesen, von einer anderen Version gespeichert.</translation>
+    </message>
+    <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
         <translation>Andere seitliche Zustellung oder Strategie versuchen und diese Tasche bitte melden.</translation>
     </message>
@@ -1478,8 +1478,20 @@
         <translation>Werkzeugsteuerung</translation>
     </message>
     <message>
+        <source>The tool and its feeds and speed</source>
+        <translation>Das Werkzeug mit Vorschüben und Drehzahl</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>The coolant of this operation</source>
+        <translation>Das Kühlmittel dieser Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Show feeds, speed and tool here, to change them for all operations with this tool controller</source>
+        <translation>Vorschübe, Drehzahl und Werkzeug hier zeigen, um sie für alle Bearbeitungen mit dieser Werkzeugsteuerung zu ändern</translation>
     </message>
     <message>
         <source>Edit Tool Controller</source>
@@ -1544,6 +1556,10 @@
     <message>
         <source>Ignore islands</source>
         <translation>Inseln ignorieren</translation>
+    </message>
+    <message>
+        <source>Show options that are rarely needed</source>
+        <translation>Selten benötigte Optionen zeigen</translation>
     </message>
     <message>
         <source>Advanced</source>

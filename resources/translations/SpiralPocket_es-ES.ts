@@ -228,8 +228,8 @@
         <translation>Añada uno con una fresa plana al trabajo e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>{} has no tool controller.</source>
-        <translation>{} no tiene controlador de herramienta.</translation>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} no tiene ningún controlador de herramienta que pueda vaciar una cajera.</translation>
     </message>
     <message>
         <source>Type a number.</source>
@@ -276,12 +276,12 @@
         <translation>Gráficos de la cajera en espiral</translation>
     </message>
     <message>
-        <source>No path: the first line of the panel says why.</source>
-        <translation>No hay trayectoria: la primera línea del panel dice por qué.</translation>
-    </message>
-    <message>
         <source>Mean cutting force in {} [N]</source>
         <translation>Fuerza de corte media en {} [N]</translation>
+    </message>
+    <message>
+        <source>No path: the first line of the panel says why.</source>
+        <translation>No hay trayectoria: la primera línea del panel dice por qué.</translation>
     </message>
     <message>
         <source>Engagement [°]</source>
@@ -360,12 +360,12 @@
         <translation>Hasta dónde se muestra el corte</translation>
     </message>
     <message>
-        <source>Feed [{}]</source>
-        <translation>Avance [{}]</translation>
-    </message>
-    <message>
         <source>Color by</source>
         <translation>Colorear por</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>Avance [{}]</translation>
     </message>
     <message>
         <source>The mark is the limit at the step-over: {:.0f}°</source>
@@ -480,10 +480,6 @@
         <translation>Otra vez Aceptar conserva lo que se hizo sin eso.</translation>
     </message>
     <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>Quitar cajera en espiral</translation>
-    </message>
-    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>Un error en el complemento: la trayectoria no se calculó.</translation>
     </message>
@@ -492,16 +488,12 @@
         <translation>Infórmelo con el texto de la vista de informe.</translation>
     </message>
     <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Quitar cajera en espiral</translation>
+    </message>
+    <message>
         <source>Use as Default in This Job</source>
         <translation>Usar por defecto en este trabajo</translation>
-    </message>
-    <message>
-        <source>Drag it into the job's operations.</source>
-        <translation>Arrástrela a las operaciones del trabajo.</translation>
-    </message>
-    <message>
-        <source>{} is not in a job.</source>
-        <translation>{} no está en ningún trabajo.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -897,6 +889,10 @@
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
         <translation>Del paso lateral de {0} %, Automático usa {1}: vueltas más anchas dejarían material donde se encuentran.</translation>
+    </message>
+    <message>
+        <source>Open the document in that version, or make a new job here.</source>
+        <translation>Abra el documento en esa versión o cree aquí un trabajo nuevo.</translation>
     </message>
     <message>
         <source>Other strategies use it whole, and may leave stock.</source>
@@ -1355,6 +1351,10 @@
         <translation>No hay ninguna máquina '{0}'.</translation>
     </message>
     <message>
+        <source>This FreeCAD cannot read {0}, which another version has saved.</source>
+        <translation>Este FreeCAD no puede leer {0}, guardado por otra versión.</translation>
+    </message>
+    <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
         <translation>Pruebe otro paso lateral u otra estrategia e informe de esta cajera.</translation>
     </message>
@@ -1478,8 +1478,20 @@
         <translation>Controlador de herramienta</translation>
     </message>
     <message>
+        <source>The tool and its feeds and speed</source>
+        <translation>La herramienta con sus avances y su velocidad</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>Refrigerante</translation>
+    </message>
+    <message>
+        <source>The coolant of this operation</source>
+        <translation>El refrigerante de esta operación</translation>
+    </message>
+    <message>
+        <source>Show feeds, speed and tool here, to change them for all operations with this tool controller</source>
+        <translation>Mostrar aquí avances, velocidad y herramienta, para cambiarlos en todas las operaciones con este controlador de herramienta</translation>
     </message>
     <message>
         <source>Edit Tool Controller</source>
@@ -1544,6 +1556,10 @@
     <message>
         <source>Ignore islands</source>
         <translation>Ignorar islas</translation>
+    </message>
+    <message>
+        <source>Show options that are rarely needed</source>
+        <translation>Mostrar las opciones que rara vez hacen falta</translation>
     </message>
     <message>
         <source>Advanced</source>

@@ -228,8 +228,8 @@
         <translation>Ajoutez-en un avec une fraise deux tailles à la tâche, puis réessayez.</translation>
     </message>
     <message>
-        <source>{} has no tool controller.</source>
-        <translation>{} n'a pas de contrôleur d'outil.</translation>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} n'a pas de contrôleur d'outil qui puisse vider une poche.</translation>
     </message>
     <message>
         <source>Type a number.</source>
@@ -276,12 +276,12 @@
         <translation>Graphiques de la poche en spirale</translation>
     </message>
     <message>
-        <source>No path: the first line of the panel says why.</source>
-        <translation>Pas de parcours : la première ligne du panneau dit pourquoi.</translation>
-    </message>
-    <message>
         <source>Mean cutting force in {} [N]</source>
         <translation>Effort de coupe moyen dans {} [N]</translation>
+    </message>
+    <message>
+        <source>No path: the first line of the panel says why.</source>
+        <translation>Pas de parcours : la première ligne du panneau dit pourquoi.</translation>
     </message>
     <message>
         <source>Engagement [°]</source>
@@ -360,12 +360,12 @@
         <translation>Jusqu'où la coupe est montrée</translation>
     </message>
     <message>
-        <source>Feed [{}]</source>
-        <translation>Avance [{}]</translation>
-    </message>
-    <message>
         <source>Color by</source>
         <translation>Colorer selon</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>Avance [{}]</translation>
     </message>
     <message>
         <source>The mark is the limit at the step-over: {:.0f}°</source>
@@ -480,10 +480,6 @@
         <translation>Encore une fois OK garde ce qui a été fait sans cela.</translation>
     </message>
     <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>Supprimer la poche en spirale</translation>
-    </message>
-    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>Une erreur dans l'extension : le parcours n'a pas été calculé.</translation>
     </message>
@@ -492,16 +488,12 @@
         <translation>Merci de le signaler avec le texte de la vue rapport.</translation>
     </message>
     <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Supprimer la poche en spirale</translation>
+    </message>
+    <message>
         <source>Use as Default in This Job</source>
         <translation>Utiliser par défaut dans cette tâche</translation>
-    </message>
-    <message>
-        <source>Drag it into the job's operations.</source>
-        <translation>Faites-la glisser dans les opérations de la tâche.</translation>
-    </message>
-    <message>
-        <source>{} is not in a job.</source>
-        <translation>{} n'est dans aucune tâche.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -897,6 +889,10 @@
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
         <translation>Du pas latéral de {0} %, Automatique utilise {1} : des passes plus larges laisseraient de la matière où elles se rejoignent.</translation>
+    </message>
+    <message>
+        <source>Open the document in that version, or make a new job here.</source>
+        <translation>Ouvrez le document dans cette version-là ou créez ici une nouvelle tâche.</translation>
     </message>
     <message>
         <source>Other strategies use it whole, and may leave stock.</source>
@@ -1355,6 +1351,10 @@
         <translation>Il n'y a pas de machine '{0}'.</translation>
     </message>
     <message>
+        <source>This FreeCAD cannot read {0}, which another version has saved.</source>
+        <translation>Ce FreeCAD ne peut pas lire {0}, enregistré par une autre version.</translation>
+    </message>
+    <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
         <translation>Essayez un autre pas ou une autre stratégie, et signalez cette poche.</translation>
     </message>
@@ -1478,8 +1478,20 @@
         <translation>Contrôleur d'outil</translation>
     </message>
     <message>
+        <source>The tool and its feeds and speed</source>
+        <translation>L'outil, ses avances et sa vitesse</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>Arrosage</translation>
+    </message>
+    <message>
+        <source>The coolant of this operation</source>
+        <translation>L'arrosage de cette opération</translation>
+    </message>
+    <message>
+        <source>Show feeds, speed and tool here, to change them for all operations with this tool controller</source>
+        <translation>Montrer ici avances, vitesse et outil, pour les changer dans toutes les opérations qui ont ce contrôleur d'outil</translation>
     </message>
     <message>
         <source>Edit Tool Controller</source>
@@ -1544,6 +1556,10 @@
     <message>
         <source>Ignore islands</source>
         <translation>Ignorer les îlots</translation>
+    </message>
+    <message>
+        <source>Show options that are rarely needed</source>
+        <translation>Montrer les options rarement utiles</translation>
     </message>
     <message>
         <source>Advanced</source>

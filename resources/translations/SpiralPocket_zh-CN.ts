@@ -228,8 +228,8 @@
         <translation>在作业中添加一个带立铣刀的刀具控制器，然后重试。</translation>
     </message>
     <message>
-        <source>{} has no tool controller.</source>
-        <translation>{} 没有刀具控制器。</translation>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} 没有可清除型腔的刀具控制器。</translation>
     </message>
     <message>
         <source>Type a number.</source>
@@ -276,12 +276,12 @@
         <translation>螺旋型腔图表</translation>
     </message>
     <message>
-        <source>No path: the first line of the panel says why.</source>
-        <translation>没有刀路：面板第一行说明了原因。</translation>
-    </message>
-    <message>
         <source>Mean cutting force in {} [N]</source>
         <translation>{} 中的平均切削力 [N]</translation>
+    </message>
+    <message>
+        <source>No path: the first line of the panel says why.</source>
+        <translation>没有刀路：面板第一行说明了原因。</translation>
     </message>
     <message>
         <source>Engagement [°]</source>
@@ -360,12 +360,12 @@
         <translation>切削显示进度</translation>
     </message>
     <message>
-        <source>Feed [{}]</source>
-        <translation>进给 [{}]</translation>
-    </message>
-    <message>
         <source>Color by</source>
         <translation>着色依据</translation>
+    </message>
+    <message>
+        <source>Feed [{}]</source>
+        <translation>进给 [{}]</translation>
     </message>
     <message>
         <source>The mark is the limit at the step-over: {:.0f}°</source>
@@ -480,10 +480,6 @@
         <translation>再按一次“确定”即保留其余已完成的部分。</translation>
     </message>
     <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>删除螺旋型腔</translation>
-    </message>
-    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>插件出错：刀路未计算。</translation>
     </message>
@@ -492,16 +488,12 @@
         <translation>请连同“报告视图”中的文本一起报告。</translation>
     </message>
     <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>删除螺旋型腔</translation>
+    </message>
+    <message>
         <source>Use as Default in This Job</source>
         <translation>作为此作业的默认值</translation>
-    </message>
-    <message>
-        <source>Drag it into the job's operations.</source>
-        <translation>请将其拖入作业的工序中。</translation>
-    </message>
-    <message>
-        <source>{} is not in a job.</source>
-        <translation>{} 不在任何作业中。</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -897,6 +889,10 @@
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
         <translation>步距为 {0} %，“自动”只用其中的 {1}：更宽的圈次会在相接处留下余料。</translation>
+    </message>
+    <message>
+        <source>Open the document in that version, or make a new job here.</source>
+        <translation>请用该版本打开文档，或在此新建作业。</translation>
     </message>
     <message>
         <source>Other strategies use it whole, and may leave stock.</source>
@@ -1355,6 +1351,10 @@
         <translation>没有机床 '{0}'。</translation>
     </message>
     <message>
+        <source>This FreeCAD cannot read {0}, which another version has saved.</source>
+        <translation>此 FreeCAD 无法读取由其他版本保存的 {0}。</translation>
+    </message>
+    <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
         <translation>请尝试其他步距或策略，并报告此型腔。</translation>
     </message>
@@ -1478,8 +1478,20 @@
         <translation>刀具控制器</translation>
     </message>
     <message>
+        <source>The tool and its feeds and speed</source>
+        <translation>刀具及其进给和转速</translation>
+    </message>
+    <message>
         <source>Coolant</source>
         <translation>冷却液</translation>
+    </message>
+    <message>
+        <source>The coolant of this operation</source>
+        <translation>此工序的冷却方式</translation>
+    </message>
+    <message>
+        <source>Show feeds, speed and tool here, to change them for all operations with this tool controller</source>
+        <translation>在此显示进给、转速和刀具，可为使用此刀具控制器的所有工序进行更改</translation>
     </message>
     <message>
         <source>Edit Tool Controller</source>
@@ -1544,6 +1556,10 @@
     <message>
         <source>Ignore islands</source>
         <translation>忽略岛屿</translation>
+    </message>
+    <message>
+        <source>Show options that are rarely needed</source>
+        <translation>显示很少用到的选项</translation>
     </message>
     <message>
         <source>Advanced</source>

@@ -217,6 +217,15 @@ def test_an_operation_outside_of_any_job(op, monkeypatch):
     assert [text.count(op.Label) for text in logged] == [1]
 
 
+def test_an_operation_of_a_job_that_another_version_has_saved(op):
+    job = op.Proxy.job
+    job.Proxy = None  # as where its module is not there
+    op.touch()
+    op.Document.recompute()
+    assert not motion(op)
+    assert job.Label in op.Notices[0] and "another version" in op.Notices[0]
+
+
 def test_a_face_that_vanished(op):
     op.Document.getObject("Part").Shape = Part.makeBox(40, 40, 10)
     failed(op, SelectionError, "")

@@ -3,6 +3,7 @@
 
 import FreeCADGui
 import pytest
+from PySide import QtCore
 from snapshot import differences, snapshot
 from window import (
     APPLY,
@@ -19,6 +20,9 @@ from window import (
 
 from freecad_spiralpocket.engine.model import Strategy
 from freecad_spiralpocket.gui import planning
+from freecad_spiralpocket.gui.comparepicture import picture_of
+from freecad_spiralpocket.gui.previewcolors import Scale
+from freecad_spiralpocket.gui.themecolors import theme
 
 NAME = "SpiralPocketCompare"
 
@@ -60,6 +64,19 @@ def test_all_strategies_and_freecads_own_are_there(compared):
     assert not cards()[-1].button.isEnabled()
     press(CANCEL)
     assert dialog(NAME) is None
+
+
+def test_pictures_are_as_fine_as_the_screen(opened):
+    wait_for(lambda: page().outlook.drawn, 60)
+    scale, size = Scale("engagement", 180.0), QtCore.QSize(100, 80)
+    picture = picture_of(page().outlook.drawn[0], scale, size, theme(), 1.5)
+    assert (picture.width(), picture.height()) == (150, 120)
+    assert picture.devicePixelRatio() == 1.5
+    shown = picture.toImage()
+    background = theme().background.name()
+    columns = [x for x in range(150) if shown.pixelColor(x, 60).name() != background]
+    assert abs(min(columns) + max(columns) - 149) <= 3 and max(columns) - min(columns) > 120
+    press(CANCEL)
 
 
 def test_comparing_touches_nothing(doc, opened):

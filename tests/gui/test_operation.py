@@ -163,6 +163,57 @@ def test_undo_with_the_panel_open_closes_it(doc, job, floor):
     assert not differences(before, snapshot(doc))
 
 
+@pytest.fixture
+def deletions():
+    """Return what is deleted, one after the other: names of objects, and of documents."""
+    seen = []
+
+    class Watch:
+        def slotDeletedObject(self, obj):  # noqa: N802 - the name FreeCAD calls
+            seen.append(obj.Name)
+
+        def slotDeletedDocument(self, document):  # noqa: N802 - the name FreeCAD calls
+            seen.append(document.Name)
+
+    watch = Watch()
+    FreeCAD.addDocumentObserver(watch)
+    yield seen
+    FreeCAD.removeDocumentObserver(watch)
+
+
+def test_new_operation_stays_until_its_document_is_closed(doc, job, floor, deletions):
+    """FreeCAD goes on with the operation whose editing it ends, and crashes where it is gone."""
+    select(floor)
+    press_toolbar_button()
+    name, operation = doc.Name, only_operation(job).Name
+    del deletions[:]
+    FreeCAD.closeDocument(name)
+    assert operation not in deletions[: deletions.index(name)]
+    pump(0.3)
+    assert not is_panel_open() and FreeCAD.getActiveTransaction() is None
+
+
+def test_new_operation_goes_after_freecad_has_ended_its_editing(doc, job, floor):
+    before = doc.Objects
+    select(floor)
+    press_toolbar_button()
+    FreeCADGui.getDocument(doc.Name).resetEdit()
+    assert len(job.Operations.Group) == 1 and not is_panel_open()
+    pump()
+    assert doc.Objects == before and not job.Operations.Group
+    assert FreeCAD.getActiveTransaction() is None
+
+
+def test_new_operation_goes_when_another_is_edited(doc, job, operation, floor):
+    select(floor)
+    press_toolbar_button()
+    edit(operation)
+    assert job.Operations.Group == [operation]
+    widget("stepOverPercent").setValue(15)
+    press(CANCEL)
+    assert job.Operations.Group == [operation] and operation.StepOver != 15
+
+
 def test_deleting_the_operation_with_the_panel_open_closes_it(doc, job, operation):
     edit(operation)
     doc.removeObject(operation.Name)

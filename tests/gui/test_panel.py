@@ -135,6 +135,17 @@ def test_step_over_is_typed_in_any_of_three_boxes(operation, box, way, value, pe
     assert (operation.StepOver, operation.MaxEngagement.Value) == (before, 0)
 
 
+def test_everything_that_can_be_entered_has_a_tooltip(operation):
+    page = panel().operation_page
+    for box in (page.form, page.preview.box, page.result_box.box):
+        for kind in (QtGui.QAbstractSpinBox, QtGui.QComboBox, QtGui.QAbstractButton, QtGui.QSlider):
+            for each in box.findChildren(kind):
+                if each.isVisible():
+                    assert each.toolTip(), (each.objectName(), kind)
+    for name in ("toolController", "strategy", "stepOver", "machine", "linkFeed", "startPointX"):
+        assert widget(f"{name}Label").toolTip() == widget(name).toolTip()
+
+
 def test_a_step_over_of_nothing_is_not_taken(operation):
     widget("stepOver").setProperty("rawValue", 0.0)
     pump()

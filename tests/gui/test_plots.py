@@ -22,8 +22,10 @@ from window import (
     widget,
 )
 
+from freecad_spiralpocket.gui import plotdock
 from freecad_spiralpocket.gui.plotdata import curves_of
 from freecad_spiralpocket.gui.plotdock import NAME
+from freecad_spiralpocket.op.results import machining_time
 
 
 def page():
@@ -50,7 +52,7 @@ def opened(job, floor):
 def test_curves_are_the_plans(opened):
     (drawn,) = [p.drawn for p in page().outlook.pockets]
     curves = curves_of([drawn, drawn], opened.ToolController)
-    assert curves.clock[-1] == pytest.approx(2 * drawn.plan.report.time)
+    assert curves.clock[-1] == pytest.approx(machining_time([drawn.plan, drawn.plan]))
     assert (np.diff(curves.clock) >= 0).all()
     assert np.nanmax(curves.engagement) <= 180 and np.nanmax(curves.force) > 1
     assert (np.isnan(curves.engagement) == np.isnan(curves.force)).all()
@@ -87,6 +89,18 @@ def test_plots_follow_a_change(opened):
     page().plots.button.setChecked(False)
     pump()
     assert not docks()
+    press(CANCEL)
+
+
+def test_texts_may_be_chinese(opened, monkeypatch):
+    pytest.importorskip("matplotlib")
+    assert all(isinstance(family, str) for family in plotdock.chinese_fonts())
+    monkeypatch.setattr(plotdock, "chinese_fonts", lambda: ["Not There", "DejaVu Serif"])
+    page().plots.button.setChecked(True)
+    axes = page().plots.dock._figure.axes[0]
+    for text in (axes.title, axes._left_title, page().plots.dock._note):
+        assert text.get_fontfamily()[-1] == "DejaVu Serif"
+        assert "Not There" not in text.get_fontfamily()
     press(CANCEL)
 
 

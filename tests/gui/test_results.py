@@ -85,7 +85,7 @@ def test_freecads_estimate_is_its_own(opened):
 def test_a_change_greys_the_figures_until_they_hold_again(opened):
     pump(0.3)  # it has got its height by then
     before, height = page().result_box.texts, page().result_box.box.height()
-    widget("stepOverPercent").setValue(21)
+    widget("stepOverPercent").setValue(23)  # which no other test has planned
     assert not page().result_box.body.isEnabled()
     wait_for(lambda: page().outlook.pockets[0].drawn is None)
     assert not page().result_box.body.isEnabled()
@@ -329,4 +329,40 @@ def test_pocket_that_cannot_be_cut_leaves_the_result_of_the_others(doc):
     assert duration(operation.MachiningTime) in page().result_box.texts.values()
     page().plots.button.setChecked(True)
     assert page().plots.dock._curves.clock[-1] == pytest.approx(operation.MachiningTime)
+    press(CANCEL)
+
+
+def test_result_player_plots_and_operation_tell_the_same_time(doc):
+    pockets = [Part.makeBox(20, 20, 9, Vector(x, 8, -DEPTH)) for x in (6, 430)]
+    solid = Part.makeBox(456, 36, 12, Vector(0, 0, -12)).cut(pockets[0]).cut(pockets[1])
+    job = add_job(doc, solid, 6.0)
+    job.Tools.Group[0].setExpression("HorizRapid", None)
+    job.Tools.Group[0].HorizRapid = 20
+    part = doc.getObject("Part")
+    select(*((part, name) for name in floors(part, -DEPTH)))
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    settle()
+    time = widget("summary").text().split(";")[0]
+    box = page().preview.box
+    assert time == box.clock.text() == page().result_box.texts["Time on Hobby router"]
+    box.play.setChecked(True)  # which draws the cutter between the pockets as well
+    wait_for(lambda: not box.play.isChecked(), 30)
+    page().plots.button.setChecked(True)
+    end = page().plots.dock._curves.clock[-1]
+    press(OK)
+    (operation,) = job.Operations.Group
+    assert end == pytest.approx(operation.MachiningTime) and duration(end) == time
+
+
+def test_player_tells_no_time_without_feeds(job, floor):
+    job.Tools.Group[0].HorizFeed = 0
+    select(floor)
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    settle()
+    box = page().preview.box
+    assert box.slider.isEnabled() and box.clock.text() == ""
+    box.slider.setValue(400)
+    assert box.clock.text() == ""
     press(CANCEL)

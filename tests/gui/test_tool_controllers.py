@@ -3,6 +3,7 @@
 
 import pytest
 from conftest import add_job, plate
+from PathScripts import PathUtils
 from window import (
     CANCEL,
     OK,
@@ -19,7 +20,24 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.op.compat import add_tool_controller
+from freecad_spiralpocket.op.compat import IS_LEGACY, PathToolController, add_tool_controller
+
+if IS_LEGACY:
+    from PathScripts import PathToolBit
+else:
+    from Path.Tool.toolbit import ToolBit
+
+
+def add_drill(job):
+    """Add a tool controller with a drill to a job."""
+    if IS_LEGACY:
+        drill = PathToolBit.Factory.Create("Drill", PathToolBit.findToolShape("drill.fcstd"))
+    else:
+        drill = ToolBit.from_shape_id("drill.fcstd").attach_to_doc(doc=job.Document)
+    controller = PathToolController.Create("TC: drill", tool=drill, toolNumber=7)
+    job.Proxy.addToolController(controller)
+    job.Document.recompute()
+    return controller
 
 
 @pytest.fixture
@@ -80,3 +98,58 @@ def test_tool_controller_of_another_job_is_not_taken(doc, job, operation):
     edit(operation)
     add_tool_controller(another_job, 3.0)
     assert operation.ToolController == controller
+
+
+def test_job_with_a_drill_only_is_told_to_lack_an_end_mill(doc, job, floor):
+    add_drill(job)
+    doc.removeObject(job.Tools.Group[0].Name)
+    before, steps = doc.Objects, doc.UndoCount
+    select(floor)
+    with answered() as answer:
+        press_toolbar_button()
+    assert len(answer.texts) == 1 and "end mill" in answer.texts[0]
+    assert not is_panel_open()
+    assert doc.Objects == before and doc.UndoCount == steps
+
+
+def test_nothing_else_is_shown_for_a_tool_that_cannot_clear_a_pocket(doc, job, operation):
+    press(OK)
+    first, operation.ToolController = operation.ToolController, add_drill(job)
+    doc.removeObject(first.Name)
+    doc.recompute()
+    edit(operation)
+    assert widget("toolController").currentText() == ""
+    wait_for(lambda: "end mill" in remarks())
+    added = add_tool_controller(job, 4.0)
+    added.HorizFeed, added.VertFeed = 20, 5
+    panel().operation_page.show_tool_controller()
+    box = widget("toolController")
+    box.setCurrentIndex(box.findText(added.Label))
+    pump()
+    assert operation.ToolController == added
+
+
+def test_first_is_chosen_unasked_after_the_operations_own_was_deleted(
+    doc, job, operation, monkeypatch
+):
+    asked = []
+    monkeypatch.setattr(PathUtils.UserInput, "chooseToolController", asked.append)
+    press(OK)
+    second = add_tool_controller(job, 4.0)
+    add_tool_controller(job, 5.0)
+    doc.removeObject(operation.ToolController.Name)
+    doc.recompute()
+    edit(operation)
+    assert widget("toolController").currentText() == second.Label
+    assert operation.ToolController == second and not asked
+
+
+def test_operation_without_any_tool_to_choose_cannot_be_edited(doc, job, operation):
+    press(OK)
+    add_drill(job)
+    doc.removeObject(operation.ToolController.Name)
+    doc.recompute()
+    with answered() as answer:
+        edit(operation)
+    assert len(answer.texts) == 1 and "end mill" in answer.texts[0]
+    assert not is_panel_open()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The window speaks the user's language, also in what the engine says."""
 
+import re
 import xml.etree.ElementTree as ElementTree
 
 import FreeCADGui
@@ -144,13 +145,25 @@ def test_result_names_the_machine_as_its_field_does(job, floor, german):
     press(CANCEL)
 
 
-def test_figures_have_the_users_decimal_mark(german):
+def test_figures_have_the_users_decimal_mark(job, floor, german):
     before = QtCore.QLocale()
     QtCore.QLocale.setDefault(QtCore.QLocale("de_DE"))
     try:
         said = "The cutter goes 0.5 mm into the walls. It is at X12.5 Y-3.0."
         assert localized(said).startswith("Der Fräser geht 0,5 mm")
         assert (small(0.25), length(12345)) == ("0,250 mm", "12,35 m")
+        select(floor)
+        press_toolbar_button()
+        wait_for(lambda: panel().operation_page.outlook.is_settled)
+        panel().operation_page.plots.button.setChecked(True)
+        plots = panel().operation_page.plots.dock
+        assert plots._values_at(2.5).startswith("2,5 s")
+        assert plots._figure.axes[0].xaxis.get_major_formatter()(7.5) == "7,5"
+        panel().operation_page.compare.button.click()
+        cards = panel().operation_page.compare.window.cards
+        wait_for(lambda: cards[0].text.text(), 60)
+        assert re.search(r"\d,\d s", cards[0].text.text())
+        press(CANCEL)
     finally:
         QtCore.QLocale.setDefault(before)
 

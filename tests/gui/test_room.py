@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All of the panel can be read with large letters, long words and little room."""
+
+import FreeCADGui
+import pytest
+from PySide import QtCore, QtGui
+from window import (
+    CANCEL,
+    main_window,
+    panel,
+    press,
+    press_toolbar_button,
+    pump,
+    select,
+    wait_for,
+    widget,
+)
+
+from freecad_spiralpocket.gui.previewlegend import Swatches
+from freecad_spiralpocket.gui.room import DOCKS
+
+NARROW = 300  # pixels
+CHOICES = ("strategy", "cutMode", "machine", "feedMode")
+
+
+@pytest.fixture(params=[("English", 0, NARROW), ("German", 15, 0), ("Spanish", 15, 0)])
+def form(request, job, floor):
+    """Return the page of a new operation in a language, a size of letters and a width."""
+    language, size, width = request.param
+    application = QtGui.QApplication.instance()
+    before, large = application.font(), application.font()
+    if size:
+        large.setPointSize(size)
+    FreeCADGui.setLocale(language)
+    application.setFont(large)
+    select(floor)
+    press_toolbar_button()
+    widget("advanced").setChecked(True)
+    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    pump(0.5)
+    if width:
+        set_width(width)
+    yield panel().operation_page.form
+    press(CANCEL)
+    application.setFont(before)
+    FreeCADGui.setLocale("English")
+    pump(0.3)
+
+
+def set_width(width):
+    """Make the dock of the panel so wide."""
+    over_the_view = main_window().findChild(QtGui.QTabWidget, "OverlayRight")
+    if over_the_view is not None and over_the_view.isVisible():
+        place = over_the_view.geometry()
+        place.setLeft(place.right() - width + 1)
+        over_the_view.setGeometry(place)
+    else:
+        docks = [main_window().findChild(QtGui.QDockWidget, name) for name in DOCKS]
+        main_window().resizeDocks([d for d in docks if d], [width], QtCore.Qt.Horizontal)
+    pump(0.3)
+
+
+def room_for_text(box):
+    """Return how wide the text of a combo box may be."""
+    option = QtGui.QStyleOptionComboBox()
+    box.initStyleOption(option)
+    style = box.style()
+    field = QtGui.QStyle.SC_ComboBoxEditField
+    return style.subControlRect(QtGui.QStyle.CC_ComboBox, option, field, box).width()
+
+
+def test_nothing_is_cut_off(form):
+    for shown in panel().form:
+        visible = shown.visibleRegion().boundingRect()
+        assert visible.isEmpty() or visible.width() == shown.width()
+    over_the_view = main_window().findChild(QtGui.QTabWidget, "OverlayRight")
+    if over_the_view is None:  # else FreeCAD keeps the width, and the page may be scrolled
+        assert form.visibleRegion().boundingRect().width() == form.width()
+    assert form.width() >= form.minimumSizeHint().width()
+    for name in CHOICES:
+        box = getattr(form, name)
+        texts = [box.itemText(i) for i in range(box.count())]
+        assert max(map(box.fontMetrics().horizontalAdvance, texts)) <= room_for_text(box), name
+    for box in form.findChildren(QtGui.QAbstractSpinBox):
+        if box.isVisible():
+            text = box.fontMetrics().horizontalAdvance(box.text())
+            assert text + 2.3 * box.fontMetrics().height() < box.width(), box.objectName()
+
+
+def test_names_of_colors_do_not_run_into_each_other(form):
+    legend = panel().operation_page.preview.box.findChild(Swatches)
+    columns = legend.columns(legend.width())
+    assert columns * legend.widest <= legend.width()
+    assert legend.height() >= legend.height_of(columns)
