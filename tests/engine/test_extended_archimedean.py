@@ -209,14 +209,14 @@ def test_channel_hardly_wider_than_the_cutter_is_cut_by_its_slot(line, width):
 def test_rooms_along_a_channel_are_opened_with_it():
     rooms = [Point(x, y).buffer(9.3) for y in (0, 24) for x in range(0, 81, 20)]
     ways = [box(0, y - 3.6, 80, y + 3.6) for y in (0, 24)] + [box(-3.6, 0, 3.6, 24)]
-    region, layout = lay(shapely.union_all([*rooms, *ways]).buffer(0))
+    _, layout = lay(shapely.union_all([*rooms, *ways]).buffer(0))
     visited = layout.opening.start.visited
     assert all(visited.distance(Point(x, y)) < 6.0 for y in (0, 24) for x in range(0, 81, 20))
 
 
 def test_centers_that_cross_are_opened_all_at_once():
     pocket = CROSS.buffer(5, join_style="mitre", cap_style="square")
-    region, layout = lay(pocket)
+    _, layout = lay(pocket)
     tips = [Point(p) for p in ((2, 0), (58, 0), (30, -28), (30, 28))]
     assert all(layout.opening.start.visited.distance(tip) < 3.0 for tip in tips)
 
