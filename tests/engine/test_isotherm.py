@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import BSpline, RegularGridInterpolator
-from shapely import LineString, MultiPoint, Point, Polygon, box
+from shapely import LineString, MultiPoint, MultiPolygon, Point, Polygon, box
 from shapes import CIRCLE, DUMBBELL, L_SHAPE, PENTAGON, RING, SQUARE, TRIANGLE, convex_pockets
 from shapes import request as make_request
 
@@ -266,6 +266,14 @@ def test_laps_lead_to_the_slot_where_it_is_close_to_walls_or_steps_are_fine(pock
     plan_ = plan(make_request(pocket, strategy=Strategy.ISOTHERM, cutting=Cutting(step)))
     assert lifts_of(plan_) == 0
     assert plan_.report.uncut_area < 1e-3
+
+
+def test_laps_about_all_summits_are_taken_where_those_about_a_slot_crowd():
+    bosses = [Point(x, y).buffer(4.5) for x in (12.2, 67.8) for y in (12.2, 47.8)]
+    pocket = box(0, 0, 80, 60).difference(MultiPolygon(bosses))
+    region, path = path_of(pocket)
+    # about the slot they would be more than four times as long as evenly spaced ones
+    assert length_of(path) < 2.5 * region.area / STEP
 
 
 def lifts_of(plan_: Plan) -> int:

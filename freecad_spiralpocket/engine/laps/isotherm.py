@@ -81,6 +81,10 @@ NECK_STEPS = (0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.01, 0.005)
 EVEN = 5.0
 #: A grid whose spacing is less than this over the step-over is not made finer there.
 FINE = 0.2
+#: Laps about a hot slot crowd where all of them pass through a channel: if they are longer than
+#: this over evenly spaced ones, laps about all summits are taken that have less than this share of
+#: their length.
+CROWDED, MUCH_SHORTER = 3.5, 0.7
 #: A region whose ridges are shorter than this over its largest clearance is compact.
 COMPACT = 1.5
 #: Steps of less than this share are none where a slot is kept hot.
@@ -122,9 +126,10 @@ def floor_path(
 def _shortest(
     region: Polygon, request: PocketRequest, fillet: float, deviation: float | None, tick: Tick
 ) -> tuple[Lap, Mover]:
-    """Return the laps about a hot slot, or those to the plate's only summit if they are shorter.
+    """Return the laps about a hot slot, or those to the plate's summits if they are shorter.
 
-    And what moves points from one to another.
+    Those to an only summit if they are shorter at all, those to several if much. And what moves
+    points from one to another.
 
     The parameters are those of `floor_path` and `isotherms.family_of`.
     """
@@ -132,7 +137,7 @@ def _shortest(
     slot = hot_slot(region, axis, request)
     # partners on rings are sought beside their vertices
     slot = None if slot is None else shapely.segmentize(slot, SPACING)
-    about, effort = None, _Effort()
+    about, effort, limit = None, _Effort(), None
     if slot is not None:
         try:
             family = family_of(region, request, fillet, deviation, slot)
@@ -141,12 +146,14 @@ def _shortest(
         except (NotYetError, CutterDoesNotFitError):
             effort = _Effort()
         if about is not None and not _is_compact(region, slot, float(axis.clearance.max())):
-            return about
+            if effort.length < CROWDED * region.area / request.cutting.stepover:
+                return about
+            limit = _Effort(MUCH_SHORTER * effort.length)
     family = family_of(region, request, fillet, deviation)
     if about is None:
         return laps_of(family, tick), mover(family.field)
     try:
-        wall = _lap(family, outer_room(family), tick, _Effort(effort.length, 1))
+        wall = _lap(family, outer_room(family), tick, limit or _Effort(effort.length, 1))
     except (NotYetError, CutterDoesNotFitError):
         return about
     return wall, mover(family.field)
