@@ -55,11 +55,11 @@ class ClothoidPath:
         return np.concatenate([[0.0], np.cumsum(self.lengths)])
 
     def curvature_at(self, s: Floats) -> Floats:
-        """Return the curvature at arc lengths, of the same shape [1/mm]."""
+        """Return the curvature at arc lengths [mm], of the same shape [1/mm]."""
         return np.interp(s, self.joints, self.curvatures)
 
     def heading_at(self, s: Floats) -> Floats:
-        """Return the heading at arc lengths, of the same shape [rad]."""
+        """Return the heading at arc lengths [mm], of the same shape [rad]."""
         joints, k = self.joints, self.curvatures
         whole = np.concatenate([[0.0], np.cumsum(self.lengths * (k[1:] + k[:-1]) / 2)])
         piece = np.clip(np.searchsorted(joints, s, side="right") - 1, 0, len(self.lengths) - 1)
@@ -67,7 +67,7 @@ class ClothoidPath:
         return self.heading + whole[piece] + gone * (k[piece] + self.curvature_at(s)) / 2
 
     def points_at(self, s: Floats) -> Floats:
-        """Return the points at ascending arc lengths, shape (m, 2) [mm]."""
+        """Return the points at ascending arc lengths, shape (m,) [mm], as shape (m, 2) [mm]."""
         knots = np.unique(np.concatenate([self.joints, s]))
         bend = np.abs(self.curvature_at(knots))
         turn = np.diff(knots) * np.maximum(bend[1:], bend[:-1])
@@ -83,7 +83,10 @@ class ClothoidPath:
         return points[first[np.searchsorted(knots, s)]]
 
     def sampled(self, tolerance: float) -> Floats:
-        """Return points whose chords keep within `tolerance` of the path, ends included [mm]."""
+        """Return points whose chords keep within `tolerance` of the path, both ends included.
+
+        Of shape (m, 2), all in mm.
+        """
         counts = [
             max(1, int(np.ceil(length * np.sqrt(bend / (8 * tolerance)))))
             for length, bend in zip(
@@ -100,7 +103,10 @@ class ClothoidPath:
         return self.points_at(np.append(np.concatenate(s), joints[-1]))
 
     def then(self, length: float, curvature: float) -> ClothoidPath:
-        """Return this path with one more piece, on which the curvature goes to `curvature`."""
+        """Return this path with one more piece, at whose end the curvature is `curvature`.
+
+        Its `length` is in mm, the curvature in 1/mm.
+        """
         return ClothoidPath(
             self.start,
             self.heading,
@@ -119,7 +125,17 @@ class ClothoidPath:
 
 
 def begin(start: Floats, heading: float, curvature: float = 0.0) -> ClothoidPath:
-    """Return a path without any pieces yet."""
+    """Return a path without any pieces yet.
+
+    Parameters
+    ----------
+    start : ndarray of shape (2,)
+        [mm]
+    heading : float
+        [rad]
+    curvature : float, optional
+        [1/mm]
+    """
     return ClothoidPath(np.asarray(start, float), heading, np.empty(0), np.array([curvature]))
 
 
@@ -130,6 +146,10 @@ def tangent_share(turn: Floats) -> Floats:
     ----------
     turn : ndarray of any shape
         Angle between the rays [rad], in ``(-pi, pi)``.
+
+    Returns
+    -------
+    ndarray of the same shape
     """
     x, y = half_corner(np.abs(turn), np.ones(1))
     return np.asarray(x[..., 0] + y[..., 0] * np.tan(np.abs(turn) / 2))

@@ -41,10 +41,14 @@ LEAST_SHARE, FEWEST = 0.06, 3
 SLIM = 2.0
 #: Centers keep off each other by this, over R, so that what is opened about them does not merge.
 APART = 3.2
-#: Slices below the first lap, over the half width of the opened center: narrow channels.
-NARROW = (0.15, 0.5, 0.9)
+#: Slices below the first lap, over the half width of the opened center: narrow channels, the last
+#: hardly wider than the cutter.
+NARROW = (0.005, 0.15, 0.5, 0.9)
 #: A path that closes to a ring is made shorter by this share of the distance at a time.
 SHORTER = 0.25
+#: Between walls that are nearer to it than this the axis zigzags; nodes that matter less than the
+#: clearance, and than the second, are left out there [mm].
+ZIGZAG, STRAIGHT = 0.3, 0.02
 #: Points of a center are this far apart [mm].
 SPACING = 0.5
 
@@ -88,13 +92,14 @@ def maximal_centers(
     centers: list[Center] = []
     if len(axis.nodes) == 0:  # hardly wider than the cutter
         return centers
-    left = np.ones(len(axis.nodes), bool)
+    # a node is in slices below this only
+    below = np.full(len(axis.nodes), np.inf)
     points = shapely.points(axis.nodes)
     rest, wall = shapely.simplify(region, 0.1), region.boundary
     shapely.prepare(wall)
     offsets = _offsets(axis, half_width, stepover)
-    while left.any():
-        found = _maximal(axis, left, offsets)
+    while (below > 0).any():
+        found = _maximal(axis, below, offsets)
         if found is None:
             break
         nodes, offset = found
@@ -102,13 +107,48 @@ def maximal_centers(
         center = _center(wall, axis, nodes, half_width, stepover, radius)
         reach = max(half_width + center.laps * stepover, offset, APART * radius)
         shape = shapely.intersection(shapely.buffer(center.curve, reach, quad_segs=8), rest)
-        if not centers or _is_worth_it(axis, center, shape.area / region.area):
+        is_worth_it = not centers or _is_worth_it(axis, center, shape.area / region.area)
+        if below[nodes].min() < np.inf:
+            is_worth_it = _joins_rooms(axis.clearance[nodes], half_width)
+        if is_worth_it:
             centers.append(center)
             rest = shapely.difference(rest, shape)
+        # rooms that are worth no spiral may lie along a channel
+        lowered = 0.0 if is_worth_it or offset < half_width else half_width
         shapely.prepare(center.curve)
-        left[left] = ~shapely.dwithin(center.curve, points[left], reach)
-        left[nodes] = False
+        near = np.flatnonzero(below > lowered)
+        near = near[shapely.dwithin(center.curve, points[near], reach)]
+        below[near[~_are_behind_walls(axis, near, nodes, center.curve, reach, wall)]] = lowered
+        below[nodes] = np.minimum(below[nodes], lowered)
     return centers
+
+
+def _are_behind_walls(
+    axis: Skeleton,
+    near: NDArray[np.intp],
+    nodes: NDArray[np.intp],
+    curve: LineString | Point,
+    reach: float,
+    wall: shapely.Geometry,
+) -> NDArray[np.bool_]:
+    """Return which of the nodes `near` a center are in another channel.
+
+    Straight on a wall is between, and along the axis they are out of `reach` [mm] of the `nodes`
+    of the center.
+    """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import dijkstra
+
+    behind = shapely.intersects(
+        wall, shapely.shortest_line(curve, shapely.points(axis.nodes[near]))
+    )
+    if not behind.any():
+        return behind
+    a, b = axis.edges.T
+    lengths = np.maximum(np.hypot(*(axis.nodes[a] - axis.nodes[b]).T), 1e-9)
+    graph = coo_array((lengths, (a, b)), shape=(len(axis.nodes),) * 2).tocsr()
+    ways = dijkstra(graph, directed=False, indices=nodes, min_only=True, limit=reach)
+    return behind & (ways[near] > reach)
 
 
 def _offsets(axis: Skeleton, half_width: float, stepover: float) -> Floats:
@@ -121,14 +161,17 @@ def _offsets(axis: Skeleton, half_width: float, stepover: float) -> Floats:
 
 
 def _maximal(
-    axis: Skeleton, left: NDArray[np.bool_], offsets: Floats
+    axis: Skeleton, below: Floats, offsets: Floats
 ) -> tuple[NDArray[np.intp], float] | None:
-    """Return the nodes along the piece that covers most, and the height of its slice."""
+    """Return the nodes along the piece that covers most, and the height of its slice.
+
+    A node is in slices only that are lower than its entry in `below` [mm].
+    """
     best, most = None, 0.0
     steps = np.hypot(*(axis.nodes[axis.edges[:, 0]] - axis.nodes[axis.edges[:, 1]]).T)
     for offset in offsets:
         disc = np.pi * offset**2
-        mask = left & (axis.clearance >= offset)
+        mask = (below > offset) & (axis.clearance >= offset)
         above = mask[axis.edges].all(axis=1)
         if not mask.any() or 2 * offset * steps[above].sum() + disc <= most:
             continue
@@ -165,7 +208,7 @@ def _without_loop(axis: Skeleton, nodes: NDArray[np.intp], distance: float) -> N
     along = distances_along(axis.nodes[nodes])
     length = along[-1]
     while len(nodes) > 1:
-        shape = shapely.buffer(LineString(axis.nodes[nodes]), distance, quad_segs=4)
+        shape = shapely.buffer(along_axis(axis, nodes), distance, quad_segs=4)
         # a buffer may shed a sliver
         if not polygons_of(shape)[0].interiors:
             break
@@ -200,7 +243,7 @@ def _center(
     if _length(axis.nodes[nodes]) < POINT * radius:
         place = Point(axis.nodes[widest])
         return Center(place, laps_about(place), nodes)
-    raw = LineString(axis.nodes[nodes])
+    raw = along_axis(axis, nodes)
     laps = laps_about(raw)
     kept = half_width + laps * stepover
     if laps == 0 and not is_off(raw, half_width):
@@ -211,6 +254,12 @@ def _center(
         if is_off(curve, kept):
             break
     return Center(curve, laps_about(curve, laps), nodes)
+
+
+def along_axis(axis: Skeleton, nodes: NDArray[np.intp]) -> LineString:
+    """Return the line along nodes of the axis."""
+    line, narrowest = LineString(axis.nodes[nodes]), float(axis.clearance[nodes].min())
+    return line if narrowest > ZIGZAG else shapely.simplify(line, min(STRAIGHT, narrowest))
 
 
 def _smoothed(raw: LineString, width: float) -> LineString:
@@ -231,6 +280,15 @@ def _is_worth_it(axis: Skeleton, center: Center, share: float) -> bool:
     length = _length(axis.nodes[center.nodes])
     slim = length > SLIM * float(axis.clearance[center.nodes].max())
     return slim or (center.laps >= FEWEST and share > LEAST_SHARE)
+
+
+def _joins_rooms(clearance: Floats, wide: float) -> bool:
+    """Return whether a path, by its clearance, leads from a room through a neck to another [mm].
+
+    Rooms have the clearance `wide`, necks have less.
+    """
+    rooms = np.flatnonzero(clearance >= wide)
+    return len(rooms) > 0 and bool((clearance[rooms[0] : rooms[-1]] < wide).any())
 
 
 def _length(points: Floats) -> float:

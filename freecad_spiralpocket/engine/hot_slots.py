@@ -12,7 +12,7 @@ A ridge that is closed round an island is parted where it is narrowest; laps clo
 
 from __future__ import annotations
 
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 import shapely
@@ -34,8 +34,9 @@ HALF_WIDTHS = (0.46, 0.38, 0.3, 0.22)
 PEELED, SPUR = 1.0, 1.6
 #: Width of the smoothing along ridges, and the shortest of them, over R.
 SMOOTHING, SHORTEST = 1.0, 1.0
-#: Where a ridge round an island is parted the ends of the slot are so far apart over the step-over.
-PARTED = 1.2
+#: Where a ridge round an island is parted the ends of the slot are so far apart over the step-over,
+#: or over R where rounding would join them.
+PARTED, ROUNDED = 1.2, 1.0
 #: The slot keeps off walls by this over the step-over.
 OFF = 0.3
 #: Its corners are rounded by these over R, the first that costs nothing.
@@ -58,9 +59,9 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
     if axis.clearance.max(initial=0.0) < radius:
         return None  # once round such a narrow region all of it is cut
     inner = grow_coarsely(region, -OFF * stepover)
-    for half in HALF_WIDTHS:
+    for gap, half in product((PARTED * stepover, ROUNDED * radius), HALF_WIDTHS):
         wide = half * request.tool_diameter
-        edges = _parted(axis, ridges, 2 * wide + PARTED * stepover)
+        edges = _parted(axis, ridges, 2 * wide + gap)
         if not edges or inner.is_empty:
             return None
         pieces = shapely.multilinestrings([axis.nodes[list(edge)] for edge in edges])

@@ -71,14 +71,15 @@ def core_of(family: Family, room: Room) -> Lap | None:
 
 
 def _disc(center: Floats, radius: float) -> Polygon:
+    """Return a disc about a center of shape (2,) [mm]."""
     angles = np.linspace(0.0, 2 * np.pi, 193)[:-1]
     return Polygon(center + radius * np.column_stack([np.cos(angles), np.sin(angles)]))
 
 
 def _is_thin(region: Polygon, width: float, deep: Floats) -> bool:
-    """Return whether all of a region is within `width` of its outer boundary.
+    """Return whether all of a region is within `width` [mm] of its outer boundary.
 
-    `deep` is a place of it: where that is too far away, nothing else need be measured.
+    `deep`, shape (2,), is a place of it: where that is too far away, nothing else need be measured.
     """
     place = shapely.Point(deep)
     if region.exterior.distance(place) > width + DEEPER and region.contains(place):
@@ -105,6 +106,15 @@ def core_share(family: Family, room: Room, share: float, hottest: float) -> floa
     """Return a share before `share` at which a core can be opened by a slot, or `share`.
 
     A step over the ridge would leave the ridge's summits, which are noise where it is level.
+
+    Parameters
+    ----------
+    family : Family
+    room : Room
+    share : float
+        Of the way from the room's temperature to the hottest, in ``(0, 1)``.
+    hottest : float
+        [mm2]
     """
     count = len(room.region.interiors)
     deep, _ = room.peak(family.field)
@@ -144,6 +154,15 @@ def slots_for(family: Family, room: Room, rooms: list[Polygon], must_pay: bool) 
 
     In a neck or a finger of even width the isotherms are exponentially far apart; laps would
     creep along it. There the ridge is opened by a slot at once, if it is thin enough.
+
+    Parameters
+    ----------
+    family : Family
+    room : Room
+    rooms : list of shapely.Polygon
+        Inside of it, as the next isotherm leaves them.
+    must_pay : bool
+        Whether each slot has to be shorter than the laps that it saves.
     """
     request, step = family.request, family.stepover
     reached = shapely.buffer(shapely.union_all(rooms), step, quad_segs=8)

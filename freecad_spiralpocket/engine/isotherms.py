@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from contourpy import ContourGenerator
 
 #: Nodes of the grid; more where the spacing would pass this share of the step-over, up to `MOST`.
-UNKNOWNS, COARSEST, MOST = 12_000, 0.5, 60_000
+UNKNOWNS, COARSEST, MOST = 12_000, 0.5, 150_000
 #: That share where a slot is kept hot, whose ends are close to each other.
 COARSEST_HOT = 0.35
 #: Largest deviation of refitted laps over the step-over, and [mm] (the paper's).
@@ -116,7 +116,7 @@ class Room:
     patches: int = 8
 
     def peak(self, field: HeatField) -> tuple[Floats, float]:
-        """Return place and temperature of the hottest node."""
+        """Return place, shape (2,) [mm], and temperature [mm2] of the hottest node."""
         values = np.where(self.nodes, field.values, -np.inf)
         row, column = np.unravel_index(int(np.argmax(values)), values.shape)
         x, y = field.xy
@@ -158,37 +158,52 @@ def family_of(
     return Family(field, _contours(field), rounded, request, deviation, hot, heat)
 
 
-def evened(family: Family, room: Room) -> tuple[Family, Room]:
+def evened(family: Family, room: Room, finer: int = 1) -> tuple[Family, Room]:
     """Return laps that divide the way from a room's lap to the hot slot inside of it evenly.
 
     Where the slot bends inwards the plate is as hot as the slot far off it, and isotherms are no
     guide any more.
+
+    Parameters
+    ----------
+    family : Family
+    room : Room
+    finer : int, optional
+        The grid has so many times as many rows and columns as that of the family.
     """
     field, hot = family.field, family.hot
     assert hot is not None
-    shapely.prepare(hot)
-    around = room.nodes | shapely.contains_xy(hot, *np.meshgrid(*field.xy))
-    rows, columns = np.nonzero(ndimage.binary_dilation(around, iterations=2))
-    x, y = field.xy
-    x, y = x[columns], y[rows]
-    ways = []
     for shape in (room.region, hot):
         shapely.prepare(shape)
+    in_slot = shapely.contains_xy(hot, *np.meshgrid(*field.xy))
+    beside = ndimage.binary_dilation(room.nodes | in_slot, iterations=2)
+    if finer > 1:
+        beside &= ~ndimage.binary_erosion(in_slot, iterations=2)
+        beside = beside.repeat(finer, axis=0).repeat(finer, axis=1)
+    spacing = field.spacing / finer
+    rows, columns = np.nonzero(beside)
+    x, y = (field.origin + spacing * np.column_stack([columns, rows])).T
+    ways = []
+    for shape in (room.region, hot):
         off = distances(np.column_stack([x, y]), [shapely.segmentize(shape, SPACING)])
         ways.append(np.where(shapely.contains_xy(shape, x, y), off, -off))
     from_lap, to_slot = ways[0], -ways[1]
     share = np.clip(from_lap / np.maximum(from_lap + to_slot, 1e-3), -1.0, 2.0)
-    values = np.full(field.values.shape, np.nan)
+    values = np.full(beside.shape, np.nan)
     values[rows, columns] = family.heat * share
-    inside = np.zeros(field.values.shape, bool)
-    inside[rows, columns] = (from_lap > 0) & (to_slot > 0)
-    even = HeatField.of(field.origin, field.spacing, values, inside)
+    inside = np.zeros(beside.shape, bool)
+    # those in the slot too: a lap may be so close to it that there are no others beside it
+    inside[rows, columns] = from_lap > 0
+    even = HeatField.of(field.origin, spacing, values, inside)
     one = replace(family, field=even, contours=_contours(even), is_even=True)
     return one, Room(room.region, 0.0, inside, room.patches)
 
 
 def _rounded(region: Polygon, fillet: float) -> Polygon:
-    """Return the region with rounded corners, unless that costs a neck or an island."""
+    """Return the region, corners rounded by a radius [mm], unless that costs a neck or an island.
+
+    It keeps off the walls by `INSET`.
+    """
     parts = polygons_of(grow(grow(region, -fillet - INSET), fillet))
     if len(parts) == 1 and len(parts[0].interiors) == len(region.interiors):
         return oriented(parts[0])
@@ -207,7 +222,13 @@ def _contours(field: HeatField) -> ContourGenerator:
 def mover(field: HeatField, even: HeatField | None = None, heat: float = math.inf) -> Mover:
     """Return what moves points along gradient lines; see `nested.Mover`.
 
-    Levels above `heat` are those of the field `even`, and so much higher.
+    Parameters
+    ----------
+    field : HeatField
+    even : HeatField, optional
+        Beside a hot slot laps follow this one; its levels are counted from `heat` on.
+    heat : float, optional
+        [mm2]
     """
 
     def move(points: Floats, level: float, to_level: float) -> Floats:
@@ -224,7 +245,10 @@ def mover(field: HeatField, even: HeatField | None = None, heat: float = math.in
 
 
 def _uphill(field: HeatField, points: Floats) -> Floats:
-    """Return the way along the gradient for a rise of 1, shape (n, 2)."""
+    """Return the way from points, shape (n, 2) [mm], along the gradient for a rise of 1 mm2.
+
+    Of the same shape [1/mm], less where the slope is below the grid's spacing.
+    """
     slope = field.gradient(points)
     return slope / np.maximum((slope**2).sum(axis=1), field.spacing**2)[:, None]
 
@@ -238,13 +262,27 @@ def outer_room(family: Family) -> Room:
         guess = round(region.length / WALL_PATCH)
         walls = (refitted(dense, INSET * share, guess)[0] for share in WALL_SHARES)
         wall = next((w for w in walls if w.is_valid and fence.covers(w)), region)
-    return Room(wall, 0.0, family.field.inside)
+    return Room(wall, 0.0, _nodes_of(family))
+
+
+def _nodes_of(family: Family) -> NDArray[np.bool_]:
+    """Return the nodes of a family's field, those of the hot slot among them.
+
+    Where walls are so close to the slot that no node is between, a lap is beside these.
+    """
+    field, nodes = family.field, family.field.inside.copy()
+    if family.hot is not None:
+        rows, columns = np.nonzero(np.isfinite(field.values) & ~nodes)
+        x, y = field.xy
+        nodes[rows, columns] = shapely.contains_xy(family.hot, x[columns], y[rows])
+    return nodes
 
 
 def lines_at(family: Family, room: Room, level: float) -> list[Floats]:
-    """Return the isotherms of a room as they come off the grid, closed, shape (n, 2) each [mm].
+    """Return the isotherms of a room at a temperature [mm2], as they come off the grid.
 
-    Counter-clockwise about what is hotter, clockwise about islands.
+    Closed lines of shape (n, 2) each [mm]: counter-clockwise about what is hotter, clockwise about
+    islands.
     """
     found = []
     for line in family.contours.lines(level):
@@ -257,7 +295,7 @@ def lines_at(family: Family, room: Room, level: float) -> list[Floats]:
 
 
 def isotherms(family: Family, room: Room, level: float) -> list[Polygon]:
-    """Return the parts of a room that are hotter than `level`, as they come off the grid."""
+    """Return the parts of a room that are hotter than `level` [mm2], as they come off the grid."""
     shells: list[Floats] = []
     holes: list[Floats] = []
     for points in lines_at(family, room, level):
@@ -275,7 +313,7 @@ def isotherms(family: Family, room: Room, level: float) -> list[Polygon]:
 
 
 def rooms_at(family: Family, room: Room, level: float) -> list[Room]:
-    """Return the rooms within the laps at `level`, laps refitted, the hottest last."""
+    """Return the rooms within the laps at `level` [mm2], laps refitted, the hottest last."""
     field = family.field
     rooms = []
     hotter = room.nodes & (np.nan_to_num(field.values) > level)
@@ -290,7 +328,7 @@ def rooms_at(family: Family, room: Room, level: float) -> list[Room]:
 
 
 def _nodes_in(part: Polygon, nodes: NDArray[np.bool_], field: HeatField) -> NDArray[np.bool_]:
-    """Return which of some nodes lie in a polygon."""
+    """Return which of some nodes of a field, shape (ny, nx), lie in a polygon."""
     rows, columns = np.nonzero(nodes)
     x, y = field.xy
     inside = shapely.contains_xy(part, x[columns], y[rows])
@@ -300,18 +338,24 @@ def _nodes_in(part: Polygon, nodes: NDArray[np.bool_], field: HeatField) -> NDAr
 
 
 def points_of(region: Polygon) -> Floats:
-    """Return the points of a region's rings, shape (n, 2)."""
+    """Return the points of a region's rings, the first not repeated, shape (n, 2) [mm]."""
     rings = (region.exterior, *region.interiors)
     return np.vstack([np.asarray(r.coords)[:-1] for r in rings])
 
 
 def distances(points: Floats, regions: list[Polygon]) -> Floats:
-    """Return the distance of each point from the nearest boundary of the regions [mm]."""
+    """Return the distance of each point, shape (n, 2), from the regions' boundaries [mm].
+
+    Measured to the points of these; of shape (n,), infinite where there are no regions.
+    """
     return from_lines(points, [points_of(region) for region in regions])
 
 
 def from_lines(points: Floats, lines: list[Floats]) -> Floats:
-    """Return the distance of each point from the nearest point of some lines [mm]."""
+    """Return the distance of each point, shape (n, 2), from the nearest point of some lines [mm].
+
+    Of shape (n,), infinite where there are no lines.
+    """
     if not lines:
         return np.full(len(points), np.inf)
     tree = cKDTree(np.vstack(lines), balanced_tree=False, compact_nodes=False)
@@ -319,7 +363,7 @@ def from_lines(points: Floats, lines: list[Floats]) -> Floats:
 
 
 def _nested(family: Family, part: Polygon, room: Room) -> tuple[Polygon, int]:
-    """Return a lap refitted so that it keeps inside its room, and its patches.
+    """Return a lap refitted so that it keeps inside its room, and how many patches it has.
 
     Along ridges, and beside saddles, laps are closer than their deviation. There a lap takes the
     way of the one before instead of one that is as close and crosses it.
@@ -337,9 +381,15 @@ def _nested(family: Family, part: Polygon, room: Room) -> tuple[Polygon, int]:
         inside = [lap]
         if not room.region.contains(lap):
             inside = polygons_of(shapely.intersection(lap, room.region))
-        if _is_all_of(part, inside, FARTHER * bound + BULGE * family.field.spacing):
+        if _is_all_of(part, inside, slack(family, bound)):
             return oriented(inside[0]), guess
     return part, room.patches
+
+
+def slack(family: Family, bound: float | None = None) -> float:
+    """Return how far from its isotherm a lap may be that is refitted within a bound [mm]."""
+    deviation = family.deviation if bound is None else bound
+    return FARTHER * deviation + BULGE * family.field.spacing
 
 
 def _is_all_of(part: Polygon, inside: list[Polygon], bound: float) -> bool:
@@ -357,7 +407,13 @@ def _is_all_of(part: Polygon, inside: list[Polygon], bound: float) -> bool:
 def refitted(part: Polygon, deviation: float, guess: int = 8) -> tuple[Polygon, int]:
     """Return a region whose rings are refitted within a deviation, and its outer ring's patches.
 
-    See `ClosedFit.within` for the arguments.
+    Parameters
+    ----------
+    part : shapely.Polygon
+    deviation : float
+        [mm]
+    guess : int, optional
+        Patches of the outer ring from which the search begins; see `ClosedFit.within`.
     """
     return _of_fits(_fits(part), deviation, guess)
 
@@ -368,7 +424,7 @@ def _fits(part: Polygon) -> list[ClosedFit]:
 
 
 def _of_fits(fits: list[ClosedFit], deviation: float, guess: int) -> tuple[Polygon, int]:
-    """Return the region of fitted rings, and its outer ring's patches."""
+    """Return the region of rings fitted within a deviation [mm], and its outer ring's patches."""
     counts = [round(guess * fit.length / fits[0].length) for fit in fits]
     curves = [fit.within(deviation, count) for fit, count in zip(fits, counts, strict=True)]
     shell, *holes = [curve.sample(SPACING) for curve in curves]

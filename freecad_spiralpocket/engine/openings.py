@@ -15,7 +15,7 @@ import numpy as np
 import shapely
 from shapely import LineString, Point, Polygon
 
-from .coverable import Center, maximal_centers
+from .coverable import Center, along_axis, maximal_centers
 from .entry import fit_helix_radius
 from .floor import Helix, Slot
 from .joints import Joint, joined
@@ -26,6 +26,8 @@ from .skeleton import Skeleton
 from .slot import slot_end
 from .starts import HALF_WIDTHS, Start, slot_round
 
+#: Half the width of what is opened about centers, over D: less where they cross at right angles.
+HALVES = (*HALF_WIDTHS, 0.26, 0.2)
 #: Half the width of the ways between centers, over D.
 JOINT = 0.3
 #: Rounding takes no more than this off what is opened [mm].
@@ -64,7 +66,7 @@ def open_centers(region: Polygon, axis: Skeleton, request: PocketRequest) -> Ope
         If there is no room to go down.
     """
     stepover, radius = request.cutting.stepover, request.cutter_radius
-    halves = [share * request.tool_diameter for share in HALF_WIDTHS]
+    halves = [share * request.tool_diameter for share in HALVES]
     for most in (len(axis.nodes), 1):
         for half in halves:
             centers = maximal_centers(region, axis, half, stepover, radius)[:most]
@@ -72,7 +74,8 @@ def open_centers(region: Polygon, axis: Skeleton, request: PocketRequest) -> Ope
                 break
             joints = joined(axis, [c.nodes for c in centers])
             shapes = [grow_coarsely(c.curve, half) for c in centers]
-            ways = grow_coarsely(_ways(axis, centers, joints), JOINT * request.tool_diameter)
+            joint = min(half, JOINT * request.tool_diameter)
+            ways = grow_coarsely(_ways(axis, centers, joints), joint)
             start = slot_round(region, shapely.union_all([*shapes, ways]), request)
             if start is not None and _opens(start, shapes, region):
                 start = _from_place(start, request)
@@ -102,7 +105,9 @@ def _ways(axis: Skeleton, centers: list[Center], joints: list[Joint]) -> shapely
     for joint in joints:
         ends = [axis.nodes[joint.nodes[i]] for i in (-1, 0)]
         curves = (centers[joint.one].curve, centers[joint.other].curve)
-        way = [axis.nodes[joint.nodes[::-1]]]
+        line = joint.nodes[::-1]
+        whole = len(line) > 1
+        way = [shapely.get_coordinates(along_axis(axis, line)) if whole else axis.nodes[line]]
         for end, curve, at in zip(ends, curves, (0, 1), strict=True):
             near = shapely.get_coordinates(shapely.shortest_line(curve, Point(end)))[:1]
             way.insert(0 if at == 0 else len(way), near)

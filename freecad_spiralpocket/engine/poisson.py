@@ -51,12 +51,12 @@ class HeatField:
     def of(
         cls, origin: Floats, spacing: float, values: Floats, inside: NDArray[np.bool_]
     ) -> HeatField:
-        """Return the field of some temperatures."""
+        """Return the field of some temperatures; for the parameters see the class."""
         return cls(origin, spacing, values, inside, _slopes(values) / spacing)
 
     @property
     def xy(self) -> tuple[Floats, Floats]:
-        """Return the coordinates of columns and rows [mm]."""
+        """Return the coordinates of columns, shape (nx,), and rows, shape (ny,) [mm]."""
         rows, columns = self.values.shape
         x0, y0 = self.origin
         return x0 + self.spacing * np.arange(columns), y0 + self.spacing * np.arange(rows)
@@ -79,6 +79,12 @@ class HeatField:
         """Return whether a place of an isotherm, on a grid line, is beside one of some nodes.
 
         Of the two nodes that it lies between, the hotter one counts.
+
+        Parameters
+        ----------
+        place : ndarray of shape (2,)
+            [mm]
+        nodes : ndarray of bool, shape (ny, nx)
         """
         column, row = (place - self.origin) / self.spacing
         rows = {math.floor(row + 1e-9), math.ceil(row - 1e-9)}
@@ -141,6 +147,7 @@ def _row_walls(
     Returns
     -------
     inside : ndarray of bool, shape (rows, columns)
+        Nodes.
     ways : ndarray of shape (2, rows, columns)
         Along the rows, at most 1.
     held : ndarray of shape (2, rows, columns)
@@ -178,7 +185,21 @@ _STEPS = ((0, -1), (0, 1), (-1, 0), (1, 0))
 
 
 def _temperatures(inside: NDArray[np.bool_], gaps: Floats, held: Floats) -> Floats:
-    """Solve the difference equations for walls that are held so hot; unit spacing, 0 outside."""
+    """Solve the difference equations for walls that are held so hot.
+
+    Parameters
+    ----------
+    inside : ndarray of bool, shape (ny, nx)
+    gaps : ndarray of shape (4, ny, nx)
+        From each node to the wall or the next node west, east, south and north, over the spacing.
+    held : ndarray of shape (4, ny, nx)
+        Temperatures of these walls over the square of the spacing.
+
+    Returns
+    -------
+    ndarray of shape (ny, nx)
+        Temperatures over the square of the spacing, 0 outside.
+    """
     from scipy.sparse import coo_array
     from scipy.sparse.linalg import splu
 
@@ -214,7 +235,15 @@ def _temperatures(inside: NDArray[np.bool_], gaps: Floats, held: Floats) -> Floa
 
 
 def _beyond_walls(values: Floats, inside: NDArray[np.bool_], gaps: Floats, held: Floats) -> Floats:
-    """Return values that go on outside of the walls, nan where no cell reaches inside."""
+    """Return values that go on outside of the walls, nan where no cell reaches inside.
+
+    Parameters
+    ----------
+    values : ndarray of shape (ny, nx)
+        Temperatures [mm2].
+    inside, gaps, held
+        As in `_temperatures`, the temperatures in mm2.
+    """
     total, count = np.zeros(values.shape), np.zeros(values.shape)
     for k, (dr, dc) in enumerate(_STEPS):
         rows, columns = np.nonzero(inside & (gaps[k] < 1.0))
@@ -235,7 +264,10 @@ def _beyond_walls(values: Floats, inside: NDArray[np.bool_], gaps: Floats, held:
 
 
 def _fill_corners(values: Floats, known: NDArray[np.bool_]) -> Floats:
-    """Fill the fourth corner of cells of which three are known, as a plane."""
+    """Return values, shape (ny, nx), with the fourth corner of cells of which three are known.
+
+    It lies in the plane of these.
+    """
     total, count = np.zeros(values.shape), np.zeros(values.shape)
     for dr in (-1, 1):
         for dc in (-1, 1):
@@ -250,7 +282,10 @@ def _fill_corners(values: Floats, known: NDArray[np.bool_]) -> Floats:
 
 
 def _slopes(values: Floats) -> Floats:
-    """Return the derivatives to x and y, one-sided at the edge of what is known; unit spacing."""
+    """Return the derivatives to x and y of values of shape (ny, nx), for a spacing of 1.
+
+    One-sided at the edge of what is known, 0 beyond; of shape (2, ny, nx).
+    """
     slopes = []
     for axis in (1, 0):
         ahead = np.roll(values, -1, axis=axis) - values

@@ -12,6 +12,7 @@ compact region, a path for a long one, a tree for a branched one.
 from __future__ import annotations
 
 import heapq
+import math
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TypeAlias
@@ -31,6 +32,8 @@ Edges: TypeAlias = list[tuple[int, int]]
 
 #: Boundary samples are this far apart at least and at most [mm], and about this many.
 SAMPLE_MIN, SAMPLE_MAX, SAMPLES = 0.3, 2.0, 700
+#: No more than about this many where narrow channels need more.
+MOST = 6000
 #: Each ring has so many at least.
 FEWEST = 12
 #: Corners of Voronoi cells closer than this are one [mm].
@@ -61,12 +64,35 @@ class Skeleton:
     walls: Floats
 
 
-def medial_axis(region: Polygon) -> Skeleton:
+def medial_axis(region: Polygon, channel: float | None = None) -> Skeleton:
     """Return the medial axis of a region, without the branches to blunt corners.
 
     O(n log n) in the number of boundary samples.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+    channel : float, optional
+        Channels of this length [mm] or more, all together, have an axis all along however narrow
+        they are: their walls are sampled as finely.
     """
     spacing = float(np.clip(region.length / SAMPLES, SAMPLE_MIN, SAMPLE_MAX))
+    axis, widths = _sampled_axis(region, spacing, channel)
+    if channel is None or len(widths) < channel / spacing:
+        return axis
+    count = math.ceil(channel / spacing)
+    finer = max(float(np.partition(widths, count - 1)[count - 1]), region.length / MOST)
+    return _sampled_axis(region, finer, channel)[0] if finer < spacing else axis
+
+
+def _sampled_axis(
+    region: Polygon, spacing: float, channel: float | None
+) -> tuple[Skeleton, Floats]:
+    """Return the axis from samples so far apart, and about how wide channels are that it crosses.
+
+    All in mm. No channel is where the way along the wall from one side to the other is shorter
+    than twice its length; without one there are no widths.
+    """
     rings = [ring_samples(r, spacing, FEWEST) for r in (region.exterior, *region.interiors)]
     samples = np.vstack(rings)
     vertices, ridges, pairs = _voronoi(samples)
@@ -78,12 +104,14 @@ def medial_axis(region: Polygon) -> Skeleton:
     edges = ridges[keep]
     used, edges = np.unique(edges, return_inverse=True)
     nodes = vertices[used]
-    return Skeleton(
+    axis = Skeleton(
         nodes,
         shapely.distance(region.boundary, shapely.points(nodes)),
         edges.reshape(-1, 2),
         samples[pairs[keep]],
     )
+    across = pairs[apart >= (np.inf if channel is None else 2 * channel)]
+    return axis, np.hypot(*(samples[across[:, 0]] - samples[across[:, 1]]).T)
 
 
 def _voronoi(samples: Floats) -> tuple[Floats, NDArray[np.intp], NDArray[np.intp]]:

@@ -262,7 +262,7 @@ def slot_round(region: Polygon, shape: Polygon, request: PocketRequest) -> Start
     """
     for rounding in ROUNDINGS:
         visited = _rounded(shape, region, rounding * request.cutter_radius)
-        if leaves_no_post(visited, request):
+        if not visited.is_empty and leaves_no_post(visited, request):
             return _slot_start("curve", visited, region, request)
     return None
 

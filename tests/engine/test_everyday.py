@@ -243,9 +243,16 @@ def test_room_of_hundredths_about_a_small_cutter_is_cut(diameter, strategy):
     assert report.gouge < 0.01 * diameter
 
 
-def test_extended_archimedean_refuses_a_slot_that_has_no_middle_line():
+def test_extended_archimedean_cuts_a_slot_hardly_wider_than_the_cutter_along_its_middle():
+    slot = make_request(box(0, 0, 30, 6.1), strategy=Strategy.EXTENDED_ARCHIMEDEAN)
+    report = plan(slot).report
+    assert report.uncut_area < 1e-3
+    assert report.over_limit_share < 0.01
+
+
+def test_extended_archimedean_refuses_a_room_without_a_middle_line():
     with pytest.raises(CutterDoesNotFitError):
-        plan(make_request(box(0, 0, 30, 6.1), strategy=Strategy.EXTENDED_ARCHIMEDEAN))
+        plan(make_request(box(0, 0, 6.1, 6.1), strategy=Strategy.EXTENDED_ARCHIMEDEAN))
 
 
 def test_the_time_of_a_way_of_two_points_is_told():

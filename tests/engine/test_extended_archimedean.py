@@ -192,10 +192,38 @@ def test_no_spiral_closes_round_an_island():
         assert not any(within.intersects(island.buffer(-0.1)) for within in spiral.within)
 
 
+BENT = LineString([(0, 0), (30, 0), (30, 14), (60, 14), (60, 0), (90, 0)])
+CROSS = shapely.MultiLineString([[(0, 0), (60, 0)], [(30, -30), (30, 30)]])
+RUNG = shapely.MultiLineString([[(0, y), (60, y)] for y in (0, 8, 16)] + [[(0, 0), (0, 16)]])
+
+
+@pytest.mark.parametrize("line", [BENT, CROSS, RUNG, Point(0, 0).buffer(20).exterior])
+@pytest.mark.parametrize("width", [6.05, 6.2, 6.8])
+def test_channel_hardly_wider_than_the_cutter_is_cut_by_its_slot(line, width):
+    channel = line.buffer(width / 2, join_style="mitre", cap_style="square")
+    report = plan(make_request(channel, strategy=Strategy.EXTENDED_ARCHIMEDEAN)).report
+    assert report.over_limit_share < 0.01
+    assert report.uncut_area < SLIVERS * channel.area
+
+
+def test_rooms_along_a_channel_are_opened_with_it():
+    rooms = [Point(x, y).buffer(9.3) for y in (0, 24) for x in range(0, 81, 20)]
+    ways = [box(0, y - 3.6, 80, y + 3.6) for y in (0, 24)] + [box(-3.6, 0, 3.6, 24)]
+    _, layout = lay(shapely.union_all([*rooms, *ways]).buffer(0))
+    visited = layout.opening.start.visited
+    assert all(visited.distance(Point(x, y)) < 6.0 for y in (0, 24) for x in range(0, 81, 20))
+
+
+def test_centers_that_cross_are_opened_all_at_once():
+    pocket = CROSS.buffer(5, join_style="mitre", cap_style="square")
+    _, layout = lay(pocket)
+    tips = [Point(p) for p in ((2, 0), (58, 0), (30, -28), (30, 28))]
+    assert all(layout.opening.start.visited.distance(tip) < 3.0 for tip in tips)
+
+
 @pytest.mark.parametrize("width", [7.6, 8.8])
 def test_bent_channel_without_room_for_laps_is_cut_by_its_slot(width):
-    line = LineString([(0, 0), (30, 0), (30, 14), (60, 14), (60, 0), (90, 0)])
-    channel = line.buffer(width / 2, join_style="mitre", cap_style="square")
+    channel = BENT.buffer(width / 2, join_style="mitre", cap_style="square")
     path = plan(make_request(channel, strategy=Strategy.EXTENDED_ARCHIMEDEAN))
     # a center that left the middle would leave stock all along, a stroke across for each step
     assert path.report.over_limit_share < 0.01

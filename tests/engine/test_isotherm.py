@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import BSpline, RegularGridInterpolator
-from shapely import LineString, MultiPoint, Point, Polygon, box
+from shapely import LineString, MultiPoint, MultiPolygon, Point, Polygon, box
 from shapes import CIRCLE, DUMBBELL, L_SHAPE, PENTAGON, RING, SQUARE, TRIANGLE, convex_pockets
 from shapes import request as make_request
 
@@ -18,15 +18,23 @@ from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetErro
 from freecad_spiralpocket.engine.floor import FloorPath, Helix, Pass, Slot
 from freecad_spiralpocket.engine.hermite_quartic import ClosedFit, ClosedQuartic
 from freecad_spiralpocket.engine.hot_slots import hot_slot
-from freecad_spiralpocket.engine.isotherms import distances, family_of, mover, points_of
+from freecad_spiralpocket.engine.isotherms import (
+    distances,
+    evened,
+    family_of,
+    mover,
+    outer_room,
+    points_of,
+    rooms_at,
+)
 from freecad_spiralpocket.engine.kinks import softened
 from freecad_spiralpocket.engine.laps import isotherm
-from freecad_spiralpocket.engine.model import Cutting, Strategy
+from freecad_spiralpocket.engine.model import Cutting, Plan, Strategy
 from freecad_spiralpocket.engine.planner import plan
 from freecad_spiralpocket.engine.poisson import HeatField, solve
 from freecad_spiralpocket.engine.region import center_regions
 from freecad_spiralpocket.engine.skeleton import medial_axis
-from freecad_spiralpocket.engine.toolpath import Role
+from freecad_spiralpocket.engine.toolpath import Kind, Role
 from freecad_spiralpocket.engine.turns import EASE, Ring, match, rise, turn
 
 STEP = 2.4
@@ -34,6 +42,7 @@ STEP = 2.4
 TWO_LOBES = Point(-26, 0).buffer(24).union(Point(26, 0).buffer(24)).union(box(-26, -14, 26, 14))
 ROUND_RING = Point(0, 0).buffer(40, quad_segs=64).difference(Point(0, 0).buffer(14, quad_segs=64))
 TWO_ISLANDS = box(0, 0, 90, 60).difference(Point(25, 30).buffer(8)).difference(box(55, 20, 70, 38))
+CROSS = box(-45, -35, 45, 35).difference(box(-25, -5, 25, 5).union(box(-5, -22, 5, 22)))
 FOUR_POSTS = box(0, 0, 120, 80).difference(
     MultiPoint([(30, 25), (90, 25), (30, 55), (90, 55)]).buffer(8.0)
 )
@@ -250,6 +259,40 @@ def test_one_slot_opens_all_rooms_and_nothing_is_lifted_over(pocket):
     assert isinstance(path.entry, Slot)
     assert entries_of(path) == [path.entry]
     assert all(p.role is not Role.AIR for p in path.passes)
+
+
+@pytest.mark.parametrize(("pocket", "step"), [(CROSS, 1.8), (CROSS, 0.6), (SIX_POSTS, 0.6)])
+def test_laps_lead_to_the_slot_where_it_is_close_to_walls_or_steps_are_fine(pocket, step):
+    plan_ = plan(make_request(pocket, strategy=Strategy.ISOTHERM, cutting=Cutting(step)))
+    assert lifts_of(plan_) == 0
+    assert plan_.report.uncut_area < 1e-3
+
+
+def test_laps_about_all_summits_are_taken_where_those_about_a_slot_crowd():
+    bosses = [Point(x, y).buffer(4.5) for x in (12.2, 67.8) for y in (12.2, 47.8)]
+    pocket = box(0, 0, 80, 60).difference(MultiPolygon(bosses))
+    region, path = path_of(pocket)
+    # about the slot they would be more than four times as long as evenly spaced ones
+    assert length_of(path) < 2.5 * region.area / STEP
+
+
+def lifts_of(plan_: Plan) -> int:
+    """Return how often the cutter is lifted before the end."""
+    rapid = plan_.toolpath.kinds == Kind.RAPID
+    return int((rapid[1:] & ~rapid[:-1]).sum()) - 1
+
+
+def test_even_laps_are_the_same_on_a_finer_grid():
+    region = center_regions(TWO_ISLANDS, 3.0, 0.0)[0]
+    request = make_request(TWO_ISLANDS)
+    slot = hot_slot(region, medial_axis(region), request)
+    family = family_of(region, request, 0.5, 0.0, slot)
+    coarse, room = evened(family, outer_room(family))
+    fine, finer_room = evened(family, outer_room(family), 2)
+    assert fine.field.spacing == coarse.field.spacing / 2
+    (one,) = rooms_at(coarse, room, 0.5 * family.heat)
+    (other,) = rooms_at(fine, finer_room, 0.5 * family.heat)
+    assert one.region.area == pytest.approx(other.region.area, rel=0.01)
 
 
 @pytest.mark.parametrize("pocket", [TWO_LOBES, L_SHAPE, TWO_ISLANDS])

@@ -129,7 +129,7 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
     region = oriented(shapely.simplify(region, 0.001))
     spacing = min(request.cutting.stepover, WIDEST * request.tool_diameter)
     request = replace(request, cutting=replace(request.cutting, stepover=spacing))
-    axis = medial_axis(region)
+    axis = medial_axis(region, request.tool_diameter)
     opening = open_centers(region, axis, request)
     tick(0.2)
     spirals = _in_order(opening, axis, request)

@@ -30,6 +30,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -54,6 +55,7 @@ from ..isotherms import (
     outer_room,
     points_of,
     rooms_at,
+    slack,
 )
 from ..model import Floats, PocketRequest, Tick
 from ..nested import SPACING, Lap, Mover, path_through
@@ -77,6 +79,12 @@ NECK_STEPS = (0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.01, 0.005)
 #: From a lap that is nowhere farther from the hot slot than this over the step-over the way there
 #: is divided evenly.
 EVEN = 5.0
+#: A grid whose spacing is less than this over the step-over is not made finer there.
+FINE = 0.2
+#: Laps about a hot slot crowd where all of them pass through a channel: if they are longer than
+#: this over evenly spaced ones, laps about all summits are taken that have less than this share of
+#: their length.
+CROWDED, MUCH_SHORTER = 3.5, 0.7
 #: A region whose ridges are shorter than this over its largest clearance is compact.
 COMPACT = 1.5
 #: Steps of less than this share are none where a slot is kept hot.
@@ -118,9 +126,10 @@ def floor_path(
 def _shortest(
     region: Polygon, request: PocketRequest, fillet: float, deviation: float | None, tick: Tick
 ) -> tuple[Lap, Mover]:
-    """Return the laps about a hot slot, or those to the plate's only summit if they are shorter.
+    """Return the laps about a hot slot, or those to the plate's summits if they are shorter.
 
-    And what moves points from one to another.
+    Those to an only summit if they are shorter at all, those to several if much. And what moves
+    points from one to another.
 
     The parameters are those of `floor_path` and `isotherms.family_of`.
     """
@@ -128,7 +137,7 @@ def _shortest(
     slot = hot_slot(region, axis, request)
     # partners on rings are sought beside their vertices
     slot = None if slot is None else shapely.segmentize(slot, SPACING)
-    about, effort = None, _Effort()
+    about, effort, limit = None, _Effort(), None
     if slot is not None:
         try:
             family = family_of(region, request, fillet, deviation, slot)
@@ -137,12 +146,14 @@ def _shortest(
         except (NotYetError, CutterDoesNotFitError):
             effort = _Effort()
         if about is not None and not _is_compact(region, slot, float(axis.clearance.max())):
-            return about
+            if effort.length < CROWDED * region.area / request.cutting.stepover:
+                return about
+            limit = _Effort(MUCH_SHORTER * effort.length)
     family = family_of(region, request, fillet, deviation)
     if about is None:
         return laps_of(family, tick), mover(family.field)
     try:
-        wall = _lap(family, outer_room(family), tick, _Effort(effort.length, 1))
+        wall = _lap(family, outer_room(family), tick, limit or _Effort(effort.length, 1))
     except (NotYetError, CutterDoesNotFitError):
         return about
     return wall, mover(family.field)
@@ -214,7 +225,7 @@ def _lap(family: Family, room: Room, tick: Tick, effort: _Effort) -> Lap:
     """Return the lap about a room, with all inside of it."""
     effort.spend(room.region.length, room.region.representative_point())
     tick(0.1 + 0.5 * (1 - room.region.area / family.region.area))
-    if family.hot is not None and _holds(room, family.hot):
+    if family.hot is not None and _holds(room.region, family.hot):
         return _lap_about(family, family.hot, room, tick, effort)
     core = core_of(family, room)
     if core is not None:
@@ -256,23 +267,47 @@ def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Ef
         effort.spend(_length(slot, family), hot.representative_point())
         core = Lap(hot, level - room.level + family.heat, (), slot)
         return Lap(room.region, level, (core,))
-    if off > EVEN * family.stepover or family.is_even:
-        rooms = _rooms_about(family, hot, room, points)
-        if rooms:
-            laps = (_lap(family, one, tick, effort) for one in reversed(rooms))
-            return Lap(room.region, level, tuple(laps))
-    if family.is_even:
+    spent = effort.laps, effort.length
+    is_near = off <= EVEN * family.stepover and not family.is_even
+    if is_near:
+        with suppress(NotYetError):
+            return Lap(room.region, level, _evened_laps(family, room, tick, effort))
+        effort.laps, effort.length = spent
+    rooms = _rooms_about(family, hot, room, points)
+    if rooms:
+        laps = (_lap(family, one, tick, effort) for one in reversed(rooms))
+        return Lap(room.region, level, tuple(laps))
+    if is_near or family.is_even:
         place = room.region.representative_point()
         raise NotYetError("No isotherm leads to the slot.", "", (place.x, place.y))
+    return Lap(room.region, level, _evened_laps(family, room, tick, effort))
+
+
+def _evened_laps(family: Family, room: Room, tick: Tick, effort: _Effort) -> tuple[Lap, ...]:
+    """Return the laps inside of a room's lap that divide the way to the hot slot evenly.
+
+    Raises
+    ------
+    NotYetError
+        If no laps lead to the slot.
+    """
     effort.length -= room.region.length  # it is counted once more
-    even, room = evened(family, room)
-    effort.even = even.field
-    return Lap(room.region, level, _lap(even, room, tick, effort).inner)
+    laps, length, finer = effort.laps, effort.length, 1
+    while True:
+        even, start = evened(family, room, finer)
+        effort.even = even.field
+        try:
+            return _lap(even, start, tick, effort).inner
+        except NotYetError:
+            if even.field.spacing < FINE * family.stepover:
+                raise
+        # where laps are close the grid hardly shows what is between the last ones
+        effort.laps, effort.length, finer = laps, length, 2 * finer
 
 
-def _holds(room: Room, hot: Polygon) -> bool:
-    """Return whether a room has the hot slot inside."""
-    return bool(room.region.contains(hot.representative_point()))
+def _holds(region: Polygon, hot: Polygon) -> bool:
+    """Return whether a region has the hot slot inside."""
+    return bool(region.contains(hot.representative_point()))
 
 
 def _rooms_about(family: Family, hot: Polygon, room: Room, points: Floats) -> list[Room]:
@@ -287,14 +322,23 @@ def _rooms_about(family: Family, hot: Polygon, room: Room, points: Floats) -> li
     def farthest(share: float) -> float:
         return float(from_lines(points[::THINNED], lines_at(family, room, level(share))).max())
 
+    def off_laps(share: float) -> float:
+        parts = isotherms(family, room, level(share))
+        if family.is_even:
+            parts = [part for part in parts if _holds(part, hot)]
+        return float(distances(points[::THINNED], parts).max())
+
     share = _largest(farthest, family.stepover)
     while share > LEAST_HOT:
         rooms = rooms_at(family, room, level(share))
         if family.is_even:  # others are on no way to the slot, and thin
-            rooms = [one for one in rooms if _holds(one, hot)]
+            rooms = [one for one in rooms if _holds(one.region, hot)]
         if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
             return rooms
         share *= 0.95
+        # refitting takes long; no refitted lap is as much nearer
+        while share > LEAST_HOT and off_laps(share) > REFITTED * family.stepover + slack(family):
+            share *= 0.95
     return []
 
 
