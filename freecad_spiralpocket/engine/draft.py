@@ -100,8 +100,10 @@ def openings(request: PocketRequest) -> list[Opening]:
         start, within = promising(starts, inner, request.cutting.stepover)[0]
         reaches_out = start.within is not None or isinstance(start.entry, Plunge)
         walls = within if reaches_out else start.omega
-        ring = shapely.get_coordinates(start.ring)
-        found.append(Opening(start.name, start.visited, start.omega, walls, ring))
+        # stairs depend on the step-over, which a draft lets be dragged
+        plain = start if start.plain is None else start.plain
+        ring = shapely.get_coordinates(plain.ring)
+        found.append(Opening(start.name, plain.visited, start.omega, walls, ring))
     return found
 
 

@@ -98,11 +98,11 @@ class Start:
         reach. What is left of the region is corners.
     idle : tuple of shapely.Polygon
         Other ground in `omega` where the center could go without cutting, once it gets there.
-    open : shapely.Polygon or None
-        What of `visited` is open down to the floor, if not all of it is: a first lap is yet to
-        clear what the slot's stairs leave.
-    instead : Start or None
-        A plainer one, worth a look if laps from this one do not follow each other.
+    plain : Start or None
+        The same without stairs, if this has some. What of `visited` is not visited in that is not
+        yet open down to the floor: a first lap clears it.
+    is_sure : bool
+        Whether stairs need no comparison with that.
     """
 
     name: str
@@ -112,8 +112,8 @@ class Start:
     ring: LineString
     within: Polygon | None = None
     idle: tuple[Polygon, ...] = ()
-    open: Polygon | None = None
-    instead: Start | None = None
+    plain: Start | None = None
+    is_sure: bool = True
 
 
 def slot_bite(request: PocketRequest) -> float:
@@ -388,8 +388,8 @@ def _with_stairs(start: Start, request: PocketRequest) -> Start:
             visited=visited,
             entry=replace(slot, ring=stairs.lines[-1], stairs=stairs),
             ring=closed_line(np.vstack([stairs.inner[:1], stairs.inner[:0:-1]])),
-            open=start.visited,
-            instead=None if stairs.is_sure else start,
+            plain=start,
+            is_sure=stairs.is_sure,
         )
     return start
 

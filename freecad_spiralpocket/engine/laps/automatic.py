@@ -30,7 +30,7 @@ from ..estimates import (
     motion_of,
     seconds_of,
 )
-from ..floor import FloorPath, Groove, Pass, Plunge, Slot, WayDown
+from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
 from ..front_rules import WIDEST, FrontRules, rules_of
 from ..fronts import MAX_FRONTS, STRETCH, fronts_from, without_idle_holes
 from ..leftovers import is_left, large_pieces, without
@@ -39,7 +39,6 @@ from ..model import Floats, PocketRequest, Tick
 from ..open_sides import needed, starts_of, strokes_in_stock, strokes_within
 from ..ordering import Situation, Step, order
 from ..passes import passes_of
-from ..polyline import closed_line
 from ..promising import FEW, promising
 from ..region import polygons_of
 from ..sequence import in_better_sequence
@@ -161,8 +160,8 @@ def _fastest(
         links = sum(step.link is None or len(step.link) > 0 for step in laid.all_steps)
         if best.is_beaten_by(seconds, links):
             best = _Best(start, laid, seconds, links)
-        if start.instead is not None and links > 1:
-            starts.append((start.instead, within))
+        if start.plain is not None and not start.is_sure and links > 1:
+            starts.append((start.plain, within))
     if best.start is None:
         raise _too_wide()
     return _in_better_order(best, motion, partial(tick, 1.0))
@@ -336,9 +335,9 @@ def _laid(
     # about a plug's rounded corner the next lap is farther away than R
     reach = radius if start.within is None else 2 * radius
     slot, opened = start.ring, fronts[0]
-    if start.open is not None and isinstance(start.entry, Slot):
-        slot = closed_line(start.entry.ring)
-        opened = without_idle_holes(start.open, start.omega, rules_of(request))
+    if start.plain is not None:
+        slot = start.plain.ring
+        opened = without_idle_holes(start.plain.visited, start.omega, rules_of(request))
     pixel, grown = pixel_of(request), [opened, *fronts[1:]]
     cleared = ClearedMap(grown, strokes, region, late, reach, pixel, slot, start.ring)
     runs = runs_of(strokes, fronts, start.ring, radius, request.cutting.stepover)
