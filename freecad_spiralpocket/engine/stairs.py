@@ -35,10 +35,10 @@ LUMP = 2.5
 #: The ring is longer than this over all ramps and ways aside.
 LEAST_LENGTH = 1.2
 #: A way from one line to the next, over how far that is.
-ASIDE = 3.0
-#: The loop along the wall is no more engaged than this over the limit: often stock is lower than
-#: told, and what is left on the slot's floor a larger share of it.
-GENTLE = 0.95
+ASIDE = 2.5
+#: The loop along the wall is engaged by no more than the second above the limit where the stock is
+#: lower than told by the first, over the depth [rad].
+LOWER, SLACK = 1 / 6, math.radians(5.0)
 #: What the first lap may leave of the stair's floor, over R squared.
 CRUMB = 1e-4
 #: Halvings in the search for a limit.
@@ -151,9 +151,11 @@ def _distances(drops: Floats, rules: FrontRules) -> Floats:
     """
     radius, depth = rules.cutter_radius, float(drops.sum())
     above = (np.cumsum(drops) - drops)[1:]
-    limits = np.full(len(above), rules.limit)
-    limits[-1:] *= GENTLE
-    angles = (limits * depth - math.pi * drops[1:]) / above
+    angles = (rules.limit * depth - math.pi * drops[1:]) / above
+    if len(above):
+        lower = LOWER * depth
+        at_most = (rules.limit + SLACK) * (depth - lower) - math.pi * drops[-1]
+        angles[-1] = min(angles[-1], at_most / max(above[-1] - lower, 1e-9))
     by_angle = radius * (1 - np.cos(np.maximum(angles, 0.0)))
     by_volume = (WIDEST * rules.stepover * depth - 2 * radius * drops[1:]) / above
     steps = np.maximum(np.minimum(by_angle, by_volume), 0.0)
