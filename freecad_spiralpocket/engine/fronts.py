@@ -171,7 +171,11 @@ def without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> P
 
 
 def fronts_from(
-    start: Polygon, omega: Polygon, rules: FrontRules, idle: Sequence[Polygon] = ()
+    start: Polygon,
+    omega: Polygon,
+    rules: FrontRules,
+    idle: Sequence[Polygon] = (),
+    known: Sequence[Polygon] = (),
 ) -> Iterator[Polygon]:
     """Yield the visited region after the entry and after each level of laps and strokes.
 
@@ -184,14 +188,17 @@ def fronts_from(
     rules : FrontRules
     idle : sequence of shapely.Polygon, optional
         Ground where nothing is cut; a front that touches it takes all of it.
+    known : sequence of shapely.Polygon, optional
+        The first of what this yields.
 
     Yields
     ------
     shapely.Polygon
         Nested, from `start` to where only corners are left (see `corners`).
     """
-    front = oriented(without_idle_holes(start, omega, rules))
-    yield front
+    known = known or [oriented(without_idle_holes(start, omega, rules))]
+    yield from known
+    front = known[-1]
     least = STALLED * rules.stepover * rules.cutter_radius
     while True:
         grown = _without_scraps(_stretched(front, omega, rules), front, omega, rules)

@@ -42,7 +42,7 @@ LOWER, SLACK = 1 / 6, math.radians(5.0)
 #: What the first lap may leave of the stair's floor, over R squared.
 CRUMB = 1e-4
 #: Halvings in the search for a limit.
-HALVINGS = 40
+HALVINGS = 30
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -99,6 +99,9 @@ def stairs_of(
     if inner <= 0:
         return None
     wall = closed_line(ring)
+    stock = region.area + region.length * radius
+    if inner * wall.length < WORTH * stock:
+        return None
     profile = profile_of(wall, region, distances[0], inner, rules, bare * radius)
     if profile is None:
         return None
@@ -112,7 +115,7 @@ def stairs_of(
     saved = signed_area(lines[-1]) - signed_area(stairs.inner) - asides * rules.stepover
     off = float(np.hypot(*(lines[-1] - stairs.inner).T).max())
     saved -= LUMP * profile.tapers * off * radius
-    share = saved / (region.area + region.length * radius)
+    share = saved / stock
     if share < WORTH or not _are_within(region, [*lines[:-1], stairs.inner]):
         return None
     return replace(stairs, is_sure=share > SURE)
@@ -132,7 +135,9 @@ def leaves_crumbs(stairs: Stairs, first: Sequence[Stroke], radius: float) -> boo
     wall = Polygon(stairs.lines[-1])
     steps = shapely.difference(wall, Polygon(stairs.inner))
     laps = [closed_line(s.points) if s.closed else LineString(s.points) for s in first]
-    swept = shapely.buffer(shapely.multilinestrings([wall.exterior, *laps]), radius + CRACK)
+    steps = shapely.simplify(steps, CRACK / 4)
+    lines = shapely.simplify(shapely.multilinestrings([wall.exterior, *laps]), CRACK / 4)
+    swept = shapely.buffer(lines, radius + CRACK)
     return bool(shapely.difference(shapely.buffer(steps, radius), swept).area > CRUMB * radius**2)
 
 

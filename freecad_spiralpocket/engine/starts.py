@@ -103,6 +103,8 @@ class Start:
         yet open down to the floor: a first lap clears it.
     is_sure : bool
         Whether stairs need no comparison with that.
+    fronts : tuple of shapely.Polygon
+        The first fronts from `visited`, if they are known.
     """
 
     name: str
@@ -114,6 +116,7 @@ class Start:
     idle: tuple[Polygon, ...] = ()
     plain: Start | None = None
     is_sure: bool = True
+    fronts: tuple[Polygon, ...] = ()
 
 
 def slot_bite(request: PocketRequest) -> float:
@@ -380,7 +383,7 @@ def _with_stairs(start: Start, request: PocketRequest) -> Start:
         plug = grow_coarsely(Polygon(stairs.inner), -WIDTH * radius)
         around = Polygon(start.visited.exterior)
         visited = oriented(largest(shapely.difference(around, plug)))
-        fronts = list(islice(fronts_from(visited, start.omega, rules), 2))
+        fronts = tuple(islice(fronts_from(visited, start.omega, rules), 2))
         if len(fronts) < 2 or leaves_crumbs(stairs, strokes_of(fronts), radius):
             continue
         return replace(
@@ -390,6 +393,7 @@ def _with_stairs(start: Start, request: PocketRequest) -> Start:
             ring=closed_line(np.vstack([stairs.inner[:1], stairs.inner[:0:-1]])),
             plain=start,
             is_sure=stairs.is_sure,
+            fronts=fronts,
         )
     return start
 

@@ -281,7 +281,7 @@ def _grown(
 def _levels(start: Start, rules: FrontRules) -> Iterator[tuple[Polygon, bool]]:
     """Yield the fronts of a start one after the other, and whether each only finishes corners."""
     front = start.visited
-    for front in fronts_from(start.visited, start.omega, rules, start.idle):
+    for front in fronts_from(start.visited, start.omega, rules, start.idle, start.fronts):
         yield front, False
     for finer in finish_corners(front, start.omega, rules):
         yield finer, True
