@@ -36,7 +36,7 @@ from .shaping import (
 REACHED, REACHED_WIDE = 0.92, 0.96
 #: The rounded corner of a plug is no deeper than this over `FrontRules.closing` and the step-over:
 #: the cutter comes to it along a side and would be engaged that much more.
-BULGE = 0.32
+BULGE = 0.29
 #: Radii tried to round a reentrant kink, over `FrontRules.closing`.
 CLOSINGS = (1.0, 0.5, 0.2)
 #: The same for slim tips that are left where fronts meet: no link bends more tightly.

@@ -18,7 +18,7 @@ from .floor import Descent, Slot
 from .model import Floats, PocketRequest
 from .points import distances_along
 from .polyline import closed_line, points_at
-from .stair_profile import eased
+from .stair_profile import s_curve
 
 
 def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> float:
@@ -89,7 +89,7 @@ def slot_path(slot: Slot, down: Descent) -> Floats:
         return np.column_stack([points_at(ring, s % length), heights])
     line = np.zeros(len(s))  # on which line, or between which two
     for begin, aside in zip(np.append(knees[1:], -asides[-1]), asides[1:], strict=True):
-        line += eased((s - begin) / max(aside, 1e-9))
+        line += s_curve((s - begin) / max(aside, 1e-9))
     points = np.zeros((len(s), 2))
     for number, coords in enumerate(np.concatenate([lines, lines[:, :1]], axis=1)):
         share = np.maximum(1 - np.abs(line - number), 0.0)

@@ -86,7 +86,7 @@ class Profile:
         if distance == 0:
             return np.zeros(len(self.samples))
         taper = math.sqrt(TAPER * self.radius * distance)
-        return distance * self.share * eased(self.away / taper)
+        return distance * self.share * s_curve(self.away / taper)
 
     def line(self, offsets: Floats) -> Floats:
         """Return the line so far off the wall at each sample, shape (n, 2), a point for each place.
@@ -145,8 +145,8 @@ def profile_of(
     return Profile(wall, s, share, np.minimum(after, before), radius)
 
 
-def eased(u: Floats) -> Floats:
-    """Return what rises from 0 to 1 with `u`, without a corner at either end."""
+def s_curve(u: Floats) -> Floats:
+    """Return what rises from 0 to 1 with `u` along a cubic, level at both ends."""
     u = np.clip(u, 0.0, 1.0)
     return u * u * (3 - 2 * u)
 
