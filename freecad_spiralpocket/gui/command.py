@@ -13,8 +13,9 @@ from typing import Any
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore
 from PySide.QtCore import QT_TRANSLATE_NOOP
+
+from .later import later
 
 COMMAND = "SpiralPocket_Create"
 
@@ -53,7 +54,7 @@ class CommandSpiralPocket:
         """Ask for the job where there are several, make the operation, open the panel."""
         if FreeCAD.getActiveTransaction():
             FreeCAD.closeActiveTransaction()
-            QtCore.QTimer.singleShot(0, lambda: FreeCADGui.runCommand(COMMAND, 0))
+            later(0, lambda: FreeCADGui.runCommand(COMMAND, 0))
             return
         from . import creation
 

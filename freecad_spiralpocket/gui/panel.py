@@ -21,6 +21,7 @@ from .choices import strategy_note
 from .compat import PathOpGui, PathUtils, has_tool_controller_editor
 from .extras import FACTORIES, Extra
 from .fields import Check, Choice, Field, LinkFeed, Number, Quantity, silent
+from .later import later
 from .names import load_form, rightly_named
 from .startpoint import StartPointField
 from .startup import RESOURCES
@@ -250,7 +251,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
             self.tool = tool
             if not self.is_writing:
                 self.step_over.show()
-                QtCore.QTimer.singleShot(0, self.show_tool_controller)  # the editor may be writing
+                later(0, self.show_tool_controller)  # the editor may be writing
             self.tell_changed()
 
     def show_tool_controller(self) -> None:

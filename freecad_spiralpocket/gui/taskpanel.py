@@ -17,12 +17,13 @@ from typing import Any
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from ..engine.errors import CancelledError, SpiralPocketError
 from ..op.compat import parent_job
 from . import messages
 from .compat import PathOpGui, PathSelection, bear_lost_selection
+from .later import later
 from .names import forget_namesakes, renamed, rightly_named
 from .outlook import was_stopped
 from .room import make_room
@@ -71,7 +72,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.is_open = True
         FreeCAD.addDocumentObserver(self)
         self.operation_page.form.destroyed.connect(self._lose_widgets)
-        QtCore.QTimer.singleShot(AFTER_LAYOUT, self._make_room)
+        later(AFTER_LAYOUT, self._make_room)
 
     def accept(self, resetEdit: bool = True) -> Any:  # noqa: N803
         """Take the values over and close, if there is a path or the user knows there is none.
@@ -114,7 +115,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.panelCleanup()
         FreeCADGui.Control.closeDialog()
         LEFT.append(self)
-        QtCore.QTimer.singleShot(0, remove_left)
+        later(0, remove_left)
 
     def clicked(self, button: Any) -> None:
         """Compute when Apply was pressed; OK and Cancel have methods of their own."""
@@ -186,7 +187,7 @@ class TaskPanel(PathOpGui.TaskPanel):
     def slotUndoDocument(self, document: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Close, once the Undo is through."""
         if document == self.document:
-            QtCore.QTimer.singleShot(0, self.abandon)
+            later(0, self.abandon)
 
     slotRedoDocument = slotUndoDocument  # noqa: N815 - the name FreeCAD calls
 
@@ -218,7 +219,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.has_lost_widgets = True
         if self.is_open:
             self.operation_page.close()  # at once: a timer of the preview may be due
-            QtCore.QTimer.singleShot(0, self.abandon)
+            later(0, self.abandon)
 
     def _unexpected_errors(self) -> list[SpiralPocketError]:
         """Return what to say when the recompute failed in a way that nobody foresaw."""

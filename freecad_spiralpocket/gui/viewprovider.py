@@ -15,7 +15,6 @@ from typing import Any
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore
 
 from ..engine.errors import SpiralPocketError
 from ..op import presets
@@ -25,6 +24,7 @@ from ..op.operation import required_job
 from . import messages, progress
 from .command import ICON
 from .compat import INACTIVE_ICON, PathOpGui, PathSelection, PathUtils
+from .later import later
 from .panel import OperationPage
 from .startup import RESOURCES
 from .taskpanel import TaskPanel, remove_left
@@ -97,7 +97,7 @@ class ViewProvider(PathOpGui.ViewProvider):
         if self.panel is None:
             return
         if self.Object.Removing or self.Object.Document.Transacting:
-            QtCore.QTimer.singleShot(0, self.panel.abandon)
+            later(0, self.panel.abandon)
         else:
             self.panel.leave()
 

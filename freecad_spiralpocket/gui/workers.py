@@ -27,6 +27,7 @@ from PySide import QtCore
 from ..beside.interpreters import SCRIPT, Interpreters
 from ..beside.tasks import Tasks, versions
 from ..engine.model import Progress
+from .later import later
 
 #: What a worker tells: "progress", "done", "error", "crash" as in `beside.process`; ("gone", text)
 #: when its process ended by itself, ("unusable",) when it cannot work at all.
@@ -81,7 +82,7 @@ class ProcessWorker:
         process.kill()
         process.waitForFinished(100)
         # this may be called from one of its own signals, in which it must not be destroyed
-        QtCore.QTimer.singleShot(1000, lambda: process)
+        later(1000, lambda: process)
 
     def _send(self, record: Any) -> None:
         self._process.write(pickle.dumps(record, pickle.HIGHEST_PROTOCOL))

@@ -15,6 +15,8 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
+from freecad_spiralpocket.gui.later import later
+
 IS_LEGACY = "CAMWorkbench" not in FreeCADGui.listWorkbenches()
 WORKBENCH = "PathWorkbench" if IS_LEGACY else "CAMWorkbench"
 VERSION = ".".join(FreeCAD.Version()[:2])
@@ -26,15 +28,19 @@ OK, APPLY, CANCEL = (
 )
 
 
+#: Loops that are not running. None goes, for the same reason as timers (later.py).
+_LOOPS = []
+
 #: How long the window works for what a press of a button brings [s].
 AFTER_PRESS = 0.1
 
 
 def pump(seconds=0.05):
     """Let the window work for `seconds`."""
-    loop = QtCore.QEventLoop()
-    QtCore.QTimer.singleShot(int(1000 * seconds), loop.quit)
+    loop = _LOOPS.pop() if _LOOPS else QtCore.QEventLoop()
+    later(int(1000 * seconds), loop.quit)
     (getattr(loop, "exec", None) or loop.exec_)()
+    _LOOPS.append(loop)
 
 
 def wait_for(condition, seconds=20):
