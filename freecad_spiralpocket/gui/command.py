@@ -15,8 +15,6 @@ import FreeCAD
 import FreeCADGui
 from PySide.QtCore import QT_TRANSLATE_NOOP
 
-from .later import later
-
 COMMAND = "SpiralPocket_Create"
 
 #: The icon's name in the folder that `startup` registers.
@@ -54,6 +52,8 @@ class CommandSpiralPocket:
         """Ask for the job where there are several, make the operation, open the panel."""
         if FreeCAD.getActiveTransaction():
             FreeCAD.closeActiveTransaction()
+            from .later import later
+
             later(0, lambda: FreeCADGui.runCommand(COMMAND, 0))
             return
         from . import creation
