@@ -36,8 +36,8 @@ LUMP = 2.5
 LEAST_LENGTH = 1.2
 #: A way from one line to the next, over how far that is.
 ASIDE = 2.5
-#: The loop along the wall is engaged by no more than the second above the limit where the stock is
-#: lower than told by the first, over the depth [rad].
+#: The loop along the wall and the first lap are engaged by no more than the second above the limit
+#: where the stock is lower than told by the first, over the depth [rad].
 LOWER, SLACK = 1 / 6, math.radians(5.0)
 #: What the first lap may leave of the stair's floor, over R squared.
 CRUMB = 1e-4
@@ -180,11 +180,17 @@ def _first_lap(drops: Floats, distances: Floats, rules: FrontRules) -> Floats:
 
     `distances` of the loops have shape (k, ...), the result that without the first axis.
     """
-    radius, drops = rules.cutter_radius, drops.reshape(-1, *[1] * (distances.ndim - 1))
+    radius, depth = rules.cutter_radius, float(drops.sum())
+    lower = LOWER * depth
+    layers, left = (
+        part.reshape(-1, *[1] * (distances.ndim - 1))
+        for part in (drops, np.clip(np.cumsum(drops) - lower, 0.0, drops))
+    )
 
     def is_below(lap: Floats) -> NDArray[np.bool_]:
         angles = np.arccos(np.clip((radius + distances - lap) / radius, -1.0, 1.0))
-        return np.asarray((drops * angles).sum(axis=0) < rules.limit * drops.sum())
+        is_gentle = (left * angles).sum(axis=0) < (rules.limit + SLACK) * (depth - lower)
+        return np.asarray(((layers * angles).sum(axis=0) < rules.limit * depth) & is_gentle)
 
     return _largest(is_below, distances[0] + 2 * radius)
 
