@@ -22,7 +22,7 @@ from .stair_profile import s_curve
 
 
 def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> float:
-    """Return where along its ring a slot without stairs must end to begin nearest to a place [mm].
+    """Return where along its ring a slot must end to begin nearest to a place [mm].
 
     Parameters
     ----------
@@ -33,13 +33,14 @@ def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> 
         For the depth of its first level, nearly, and the ramp's angle.
     """
     ring = closed_line(slot.ring)
-    ramp = slot_ramp(slot, request.entry.helix_angle, request.axial_depth)
-    return float((ring.project(Point(asked)) + ramp) % ring.length)
+    down = Descent(request.axial_depth, 0.0, request.entry.helix_angle)
+    return float((ring.project(Point(asked)) + slot_lead(slot, down)) % ring.length)
 
 
-def slot_ramp(slot: Slot, angle: float, depth: float) -> float:
-    """Return the length of the ramps of a slot without stairs, seen from above [mm]."""
-    return depth / slot_levels(slot, angle, depth) / math.tan(angle)
+def slot_lead(slot: Slot, down: Descent) -> float:
+    """Return how far before its ring's first point a slot begins, but for whole turns [mm]."""
+    _, ramps, _, asides = _loops(slot, down)
+    return float(ramps[0] + asides.sum())
 
 
 def slot_levels(slot: Slot, angle: float, depth: float) -> int:
@@ -64,17 +65,7 @@ def slot_path(slot: Slot, down: Descent) -> Floats:
     """
     ring = closed_line(slot.ring)
     corners, length = distances_along(ring.coords), ring.length
-    loops = slot_levels(slot, down.angle, down.depth)
-    drops, lines, asides = np.full(loops, down.depth / loops), slot.ring[None], np.zeros(loops + 1)
-    stairs = slot.stairs
-    if stairs is not None:
-        lines = np.concatenate([stairs.lines[-loops:], stairs.inner[None]])
-        asides[1:] = stairs.asides[-loops:]
-        if loops > 1:
-            drops = down.depth * stairs.drops
-    ramps = drops / math.tan(down.angle)
-    if stairs is not None:
-        ramps *= _stretch(lines[0], slot.ring, ramps[0])
+    drops, ramps, lines, asides = _loops(slot, down)
     spans = ramps + asides[:-1] + length - np.append(ramps[1:], 0.0)
     begins = np.cumsum(spans) - spans - spans.sum() - asides[-1]
     knees = begins + ramps
@@ -85,7 +76,7 @@ def slot_path(slot: Slot, down: Descent) -> Floats:
     floors = down.top - np.cumsum(drops)
     bounds = np.column_stack([begins, knees]).ravel()
     heights = np.interp(s, bounds, np.column_stack([floors + drops, floors]).ravel())
-    if stairs is None:
+    if len(lines) == 1:
         return np.column_stack([points_at(ring, s % length), heights])
     line = np.zeros(len(s))  # on which line, or between which two
     for begin, aside in zip(np.append(knees[1:], -asides[-1]), asides[1:], strict=True):
@@ -96,6 +87,31 @@ def slot_path(slot: Slot, down: Descent) -> Floats:
         beside = [np.interp(s % length, corners, column) for column in coords.T]
         points += share[:, None] * np.column_stack(beside)
     return np.column_stack([points, heights])
+
+
+def _loops(slot: Slot, down: Descent) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return what makes the loops of a slot.
+
+    Returns
+    -------
+    drops, ramps : ndarray of shape (k,)
+        How much deeper each of the loops is than the one above, and how long its ramp is [mm].
+    lines : ndarray of shape (k + 1, n, 2)
+        Where they run, and where laps go on from; only the ring without stairs [mm].
+    asides : ndarray of shape (k + 1,)
+        How long the ways onto these lines are [mm].
+    """
+    loops = slot_levels(slot, down.angle, down.depth)
+    drops, lines, asides = np.full(loops, down.depth / loops), slot.ring[None], np.zeros(loops + 1)
+    stairs = slot.stairs
+    if stairs is None:
+        return drops, drops / math.tan(down.angle), lines, asides
+    lines = np.concatenate([stairs.lines[-loops:], stairs.inner[None]])
+    asides[1:] = stairs.asides[-loops:]
+    if loops > 1:
+        drops = down.depth * stairs.drops
+    ramps = drops / math.tan(down.angle)
+    return drops, ramps * _stretch(lines[0], slot.ring, ramps[0]), lines, asides
 
 
 def _stretch(line: Floats, ring: Floats, length: float) -> float:

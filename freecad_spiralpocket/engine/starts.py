@@ -26,7 +26,7 @@ from shapely import LineString, Point, Polygon
 from .branches import feet_between, lengthened, slim_ring, smoothed
 from .entry import NARROWEST, WIDEST, fit_helix_radius
 from .errors import CutterDoesNotFitError
-from .floor import Groove, Helix, Slot, WayDown
+from .floor import Descent, Groove, Helix, Slot, WayDown
 from .front_rules import rules_of
 from .fronts import fronts_from
 from .groove import rooms_of
@@ -37,7 +37,7 @@ from .outline import WIDTH, outline_of
 from .polyline import closed_line, located, points_at
 from .shaping import grow_coarsely, largest, oriented
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
-from .slot import slot_ramp
+from .slot import slot_lead
 from .spiral import BLEND, between
 from .stairs import leaves_crumbs, stairs_of
 from .strokes import strokes_of
@@ -354,21 +354,30 @@ def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start |
     leaves = located(outline.ring, deep) - zone / 2
     bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
     leaves = leaves[bent <= max(STRAIGHT, float(bent.min()))]
+
+    def begun(ahead: float) -> Start | None:
+        """Return the slot that begins so far ahead of where it ends, on the way back [mm]."""
+        place = (0.0, 0.0) if asked is None else asked  # programs come from the origin
+        begins = points_at(outline.ring, (leaves + ahead) % outline.ring.length)
+        away = np.hypot(*(begins - place).T)
+        if asked is not None and away.min() > request.tool_diameter:
+            return None
+        leave = float(leaves[np.argmin(away)])
+        points = between(outline.ring, leave, outline.ring.length)[:-1]
+        # the wall is cut climb; the plug lies on the other side: its laps go the other way
+        slot = Slot(np.vstack([points[:1], points[:0:-1]]), slot_bite(request))
+        ring = closed_line(points)
+        return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
+
+    down = Descent(request.axial_depth, 0.0, request.entry.helix_angle)
     slot = Slot(shapely.get_coordinates(outline.ring)[:0:-1], slot_bite(request))
-    ramp = slot_ramp(slot, request.entry.helix_angle, request.axial_depth)
-    # programs come from the origin; the way down begins a ramp before it ends, on the way back
-    place, ahead = ((0.0, 0.0), 0.0) if asked is None else (asked, ramp)
-    away = np.hypot(*(points_at(outline.ring, (leaves + ahead) % outline.ring.length) - place).T)
-    if asked is not None and away.min() > request.tool_diameter:
-        return None
-    leave = float(leaves[np.argmin(away)])
-    points = between(outline.ring, leave, outline.ring.length)[:-1]
-    ring = closed_line(points)
-    # the wall is cut climb; the plug lies on the other side, so that its laps go the other way
-    there = np.vstack([points[:1], points[:0:-1]])
-    slot = replace(slot, ring=there)
-    start = Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
-    return _with_stairs(start, request)
+    start = begun(0.0 if asked is None else slot_lead(slot, down))
+    wider = None if start is None else _with_stairs(start, request)
+    if asked is None or wider is None or wider is start:
+        return wider
+    assert isinstance(wider.entry, Slot)
+    moved = begun(slot_lead(wider.entry, down))  # with stairs the way down is longer
+    return start if moved is None else _with_stairs(moved, request)
 
 
 def _with_stairs(start: Start, request: PocketRequest) -> Start:

@@ -5,10 +5,10 @@ import math
 
 import pytest
 from shapely import box
-from shapes import DUMBBELL, L_SHAPE, PENTAGON, request
+from shapes import DUMBBELL, L_SHAPE, PENTAGON, request, rounded
 
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.model import CutMode, Cutting, Strategy
+from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Strategy
 
 
 def way_down(pocket, strategy, asked, mode=CutMode.CLIMB):
@@ -74,3 +74,12 @@ def test_a_slot_begins_beside_the_start_point(strategy):
     for asked in ((60.0, 15.0), (15.0, 60.0)):
         off, _ = way_down(L_SHAPE, strategy, asked)
         assert off < 6.0
+
+
+@pytest.mark.parametrize("asked", [(70.0, 4.0), (60.0, 26.0), (120.0, 4.0)])
+def test_a_slot_with_stairs_begins_beside_the_start_point(asked):
+    heights = Heights(8.0, 3.0, 1.0, -5.0, 7.0)
+    made = plan(request(rounded(box(0, 0, 150, 30), 4.0), start_point=asked, heights=heights))
+    assert math.hypot(*(made.toolpath.start[:2] - asked)) < 6.0
+    # nor is the slot given up for it
+    assert made.report.time < 60
