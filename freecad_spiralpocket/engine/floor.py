@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from .model import Floats, SplineCurve
-from .stairs import Stairs
 from .toolpath import Role
 
 
@@ -32,6 +31,26 @@ class Helix:
     center: Floats
     radius: float
     start_angle: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stairs:
+    """Where the loops of a slot along the wall run, and how deep each goes (stairs.py).
+
+    Attributes
+    ----------
+    lines : ndarray of shape (k, n, 2)
+        Of each loop, the highest first, counter-clockwise, point beside point; the last along
+        the wall. Their first points are not repeated [mm].
+    drops : ndarray of shape (k,)
+        How much deeper each is than the one before, over the depth.
+    inner : ndarray of shape (n, 2)
+        Beside these: laps go on from here as if all outside of it were cleared [mm].
+    """
+
+    lines: Floats
+    drops: Floats
+    inner: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -14,11 +14,14 @@ import math
 import numpy as np
 from shapely import Point
 
-from .floor import Descent, Slot
+from .floor import Descent, Slot, Stairs
 from .model import Floats, PocketRequest
 from .points import distances_along
 from .polyline import closed_line, points_at
 from .stair_profile import s_curve
+
+#: A way from one line of stairs to the next, over how far that is.
+ASIDE = 2.5
 
 
 def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> float:
@@ -89,6 +92,13 @@ def slot_path(slot: Slot, down: Descent) -> Floats:
     return np.column_stack([points, heights])
 
 
+def ways_aside(stairs: Stairs) -> Floats:
+    """Return how long the way onto each line of stairs is, and that to the inner line, (k + 1,)."""
+    lines = np.concatenate([stairs.lines[:1], stairs.lines, stairs.inner[None]])
+    off = np.hypot(*np.moveaxis(np.diff(lines, axis=0), 2, 0)).max(axis=1)
+    return np.asarray(ASIDE * off)
+
+
 def _loops(slot: Slot, down: Descent) -> tuple[Floats, Floats, Floats, Floats]:
     """Return what makes the loops of a slot.
 
@@ -107,7 +117,7 @@ def _loops(slot: Slot, down: Descent) -> tuple[Floats, Floats, Floats, Floats]:
     if stairs is None:
         return drops, drops / math.tan(down.angle), lines, asides
     lines = np.concatenate([stairs.lines[-loops:], stairs.inner[None]])
-    asides[1:] = stairs.asides[-loops:]
+    asides[1:] = ways_aside(stairs)[-loops:]
     if loops > 1:
         drops = down.depth * stairs.drops
     ramps = drops / math.tan(down.angle)

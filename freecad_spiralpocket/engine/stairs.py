@@ -12,30 +12,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
+from .floor import Stairs
 from .front_rules import WIDEST, FrontRules, rules_of
 from .model import Floats, PocketRequest
 from .points import signed_area
 from .polyline import closed_line
 from .shaping import CRACK
+from .slot import ways_aside
 from .stair_profile import profile_of
 from .strokes import Stroke
 
-#: Stairs are not worth a look that save less than the first, over all stock. Those that save more
-#: than the second need no comparison: of seventy pockets none lost by them.
-WORTH, SURE = 0.023, 0.085
+#: Stairs are not worth a look that save less than this, over all stock.
+WORTH = 0.023
 #: What laps must do in every corner that the lines avoid, over R and the inner line's distance.
 LUMP = 2.5
 #: The ring is longer than this over all ramps and ways aside.
 LEAST_LENGTH = 1.2
-#: A way from one line to the next, over how far that is.
-ASIDE = 2.5
 #: The loop along the wall and the first lap are engaged by no more than the second above the limit
 #: where the stock is lower than told by the first, over the depth [rad].
 LOWER, SLACK = 1 / 6, math.radians(5.0)
@@ -45,40 +43,12 @@ CRUMB = 1e-4
 HALVINGS = 30
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Stairs:
-    """Where the loops of a slot run, and how deep each goes.
-
-    Attributes
-    ----------
-    lines : ndarray of shape (k, n, 2)
-        Of each loop, the highest first, counter-clockwise, point beside point; the last along
-        the wall. Their first points are not repeated [mm].
-    drops : ndarray of shape (k,)
-        How much deeper each is than the one before, over the depth.
-    inner : ndarray of shape (n, 2)
-        Beside these: laps go on from here as if all outside of it were cleared [mm].
-    is_sure : bool
-        Whether it needs no comparison with levels along the wall.
-    """
-
-    lines: Floats
-    drops: Floats
-    inner: Floats
-    is_sure: bool = False
-
-    @property
-    def asides(self) -> Floats:
-        """Return how long the way onto each line is, and that to the inner line, (k + 1,) [mm]."""
-        lines = np.concatenate([self.lines[:1], self.lines, self.inner[None]])
-        off = np.hypot(*np.moveaxis(np.diff(lines, axis=0), 2, 0)).max(axis=1)
-        return np.asarray(ASIDE * off)
-
-
 def stairs_of(
     ring: Floats, region: Polygon, bite: float, request: PocketRequest, bare: float
-) -> Stairs | None:
-    """Return the loops of a slot along a wall; None where they had all better run along it.
+) -> tuple[Stairs, float] | None:
+    """Return the loops of a slot along a wall, and what they save, over all stock.
+
+    None where all had better run along the wall.
 
     Parameters
     ----------
@@ -109,7 +79,7 @@ def stairs_of(
     lines = np.stack([profile.line(off) for off in offsets])
     inner_offsets = np.maximum(_first_lap(drops, offsets, rules) - rules.stepover, 0.0)
     stairs = Stairs(lines, drops / depth, profile.line(inner_offsets))
-    asides = float(stairs.asides.sum())
+    asides = float(ways_aside(stairs).sum())
     if wall.length < LEAST_LENGTH * (asides + depth / math.tan(request.entry.helix_angle)):
         return None
     saved = signed_area(lines[-1]) - signed_area(stairs.inner) - asides * rules.stepover
@@ -118,7 +88,7 @@ def stairs_of(
     share = saved / stock
     if share < WORTH or not _are_within(region, [*lines[:-1], stairs.inner]):
         return None
-    return replace(stairs, is_sure=share > SURE)
+    return stairs, share
 
 
 def leaves_crumbs(stairs: Stairs, first: Sequence[Stroke], radius: float) -> bool:

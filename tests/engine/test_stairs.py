@@ -15,12 +15,12 @@ from shapely import LineString, Point, Polygon, box
 from shapes import DUMBBELL, L_SHAPE, SQUARE, lifts, request, rounded
 
 from freecad_spiralpocket.engine import plan, starts
-from freecad_spiralpocket.engine.floor import Descent, Slot
+from freecad_spiralpocket.engine.floor import Descent, Slot, Stairs
 from freecad_spiralpocket.engine.front_rules import WIDEST, rules_of
 from freecad_spiralpocket.engine.model import Cutting, Entry, Heights
 from freecad_spiralpocket.engine.polyline import closed_line
 from freecad_spiralpocket.engine.slot import slot_path
-from freecad_spiralpocket.engine.stairs import Stairs, leaves_crumbs, stairs_of
+from freecad_spiralpocket.engine.stairs import leaves_crumbs, stairs_of
 from freecad_spiralpocket.engine.starts import slot_bite
 from freecad_spiralpocket.engine.strokes import Stroke
 from freecad_spiralpocket.engine.toolpath import Role
@@ -40,7 +40,8 @@ def stairs(pocket: Polygon, **changes) -> tuple[Stairs | None, Polygon]:
     asked = request(pocket, **{"heights": DEEP, **changes})
     region = region_of(pocket)
     ring = np.array(shapely.geometry.polygon.orient(region).exterior.coords)[:-1]
-    return stairs_of(ring, region, slot_bite(asked), asked, 0.0), region
+    found = stairs_of(ring, region, slot_bite(asked), asked, 0.0)
+    return found and found[0], region
 
 
 def distances(made: Stairs) -> np.ndarray:
