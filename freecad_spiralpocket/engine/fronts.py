@@ -25,6 +25,7 @@ from shapely import Polygon
 from .closings import without_kinks
 from .filters import evened, highest
 from .front_rules import NEW, FrontRules, engagement_step
+from .lap_width import IDLE, STRETCH, best_width, ribs_in, widened
 from .model import Floats
 from .polyline import ring_samples, simplified
 from .region import polygons_of
@@ -51,14 +52,10 @@ FAR = 3.0
 SPACING, SOFT = 0.12, 0.4
 #: Samples of a moved front that matter less than this are left out [mm].
 STRAIGHT = 0.0005
-#: A hole holds no stock that is wide enough for less than the cutter by this, half its width [mm].
-IDLE = 0.003
 #: Growth ends when a step adds less than this share of the last stroke's area.
 STALLED = 0.02
 #: A stroke before a corner is not worth its link that cuts less than this over the step-over.
 SCRAP = 0.35
-#: A lap may be wider by this to leave no ribs; as much as feeds allow without slowing down.
-STRETCH = 1.05
 #: Ribs below this area are not worth that, over R and the step-over.
 RIBS = 0.1
 #: An opening may take so much of a free tip, over the fillet.
@@ -200,8 +197,9 @@ def fronts_from(
     yield from known
     front = known[-1]
     least = STALLED * rules.stepover * rules.cutter_radius
+    wanted = best_width(front, omega, rules)
     while True:
-        grown = _without_scraps(_stretched(front, omega, rules), front, omega, rules)
+        grown = _without_scraps(_stretched(front, omega, rules, wanted), front, omega, rules)
         if grown.area - front.area < least:
             grown = _through_neck(front, omega, rules)
             if grown is None:
@@ -214,27 +212,14 @@ def fronts_from(
         yield front
 
 
-def _stretched(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
-    """Return the next front, a little wider where it would leave only thin ribs in places."""
-    grown = advance(visited, omega, rules)
-    ribs = _ribs(grown, omega, rules)
+def _stretched(visited: Polygon, omega: Polygon, rules: FrontRules, wanted: FrontRules) -> Polygon:
+    """Return the next front as wide as wanted, or wider where it would leave only thin ribs."""
+    grown = advance(visited, omega, wanted)
+    ribs = ribs_in(grown, omega, rules)
     if ribs < RIBS * rules.cutter_radius * rules.stepover:
         return grown
-    wider = np.arccos(max(-1.0, 1 - STRETCH * (1 - np.cos(rules.limit))))
-    other = advance(visited, omega, replace(rules, limit=float(wider)))
-    return other if _ribs(other, omega, rules) < ribs / 2 else grown
-
-
-def _ribs(visited: Polygon, omega: Polygon, rules: FrontRules) -> float:
-    """Return the area of the stock in ribs so thin that a wider lap would have taken them [mm2]."""
-    thin, area = (STRETCH - 1) * rules.stepover, 0.0
-    for ring in visited.interiors:
-        hole = Polygon(ring)
-        if omega.contains(hole):
-            stock = grow_coarsely(hole, IDLE - rules.cutter_radius)
-            area += stock.area - opening_of(stock, thin).area
-    # along slopes and in corners the opening takes a little too
-    return area
+    other = advance(visited, omega, widened(rules, STRETCH))
+    return other if ribs_in(other, omega, rules) < ribs / 2 else grown
 
 
 def _without_scraps(grown: Polygon, visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:

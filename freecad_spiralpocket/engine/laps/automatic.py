@@ -32,7 +32,8 @@ from ..estimates import (
 )
 from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
 from ..front_rules import WIDEST, FrontRules, rules_of
-from ..fronts import MAX_FRONTS, STRETCH, fronts_from, without_idle_holes
+from ..fronts import MAX_FRONTS, fronts_from, without_idle_holes
+from ..lap_width import STRETCH
 from ..leftovers import is_left, large_pieces, without
 from ..linking import Motion
 from ..model import Floats, PocketRequest, Tick
