@@ -17,6 +17,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
+from .distinct import distinct
 from .filters import evened, lowest
 from .front_rules import FrontRules, engagement_step
 from .model import Floats
@@ -73,7 +74,7 @@ class Profile:
     def along(self) -> Floats:
         """Return the places of all points of the lines: the wall's own and the samples [mm]."""
         corners = distances_along(shapely.get_coordinates(self.wall))[:-1]
-        return np.unique(np.concatenate([corners, self.samples]))
+        return distinct(np.concatenate([corners, self.samples]))
 
     @property
     def tapers(self) -> int:

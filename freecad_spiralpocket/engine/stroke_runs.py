@@ -11,6 +11,7 @@ import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
+from .distinct import distinct_pairs
 from .model import Floats
 from .polyline import closed_line, points_at
 from .shaping import Region, grow_coarsely
@@ -85,7 +86,7 @@ def leanings(strokes: Sequence[Stroke], stepover: float) -> list[set[int]]:
     of = np.array(owner)[pairs]
     levels = np.array([s.level for s in strokes])
     needs: list[set[int]] = [set() for _ in strokes]
-    for i, j in np.unique(of[:, levels[of[1]] < levels[of[0]]], axis=1).T.tolist():
+    for i, j in distinct_pairs(of[:, levels[of[1]] < levels[of[0]]].T).tolist():
         needs[i].add(j)
     return needs
 
