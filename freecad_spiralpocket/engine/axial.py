@@ -101,7 +101,7 @@ def _higher_pairs(
     Level by level, because what lies above the ceiling is most of a deep pocket.
     """
     z = samples.points[:, 2]
-    step = np.where(pieces.is_level[samples.pieces], SAME_HEIGHT, np.ptp(z) / 16 + SAME_HEIGHT)
+    step = np.where(pieces.is_level[samples.pieces], SAME_HEIGHT, np.ptp(z) / 4 + SAME_HEIGHT)
     group = np.round(z / step) * step
     found = [(np.zeros(0, np.int64), np.zeros(0, np.int64))]
     for height in distinct(group[asking]):

@@ -23,7 +23,7 @@ from .front_rules import FrontRules, engagement_step
 from .model import Floats
 from .points import distances_along
 from .polyline import points_at
-from .shaping import CRACK, Region, are_within, opening_of, thick_parts
+from .shaping import CRACK, Region, opening_of, thick_parts
 
 #: Samples along the wall, over R.
 SPACING = 0.1
@@ -195,7 +195,9 @@ def _are_corners(
     found = np.zeros(len(parts), dtype=bool)
     found[shapely.STRtree(parts).query(corners, predicate="dwithin", distance=CRACK)[1]] = True
     coords, of = shapely.get_coordinates(parts, return_index=True)
-    found[of[~are_within(wide, coords, far)]] = False
+    # asked once: growing what is full of short arcs may take GEOS a hundred times as long
+    shapely.prepare(wide)
+    found[of[~shapely.dwithin(wide, shapely.points(coords), far)]] = False
     return found
 
 

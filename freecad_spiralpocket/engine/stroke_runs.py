@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
 import shapely
@@ -223,6 +223,7 @@ class _Spirals:
         size, widest = self.size, self.widest(exterior)
         stock = None if exterior else _taken_by(strokes[-LAST:], self.fronts, self.radius)
 
+        @cache
         def way(start: float) -> Floats:
             points = spiral_through(source, start, laps, size, widest)
             if stock is None:

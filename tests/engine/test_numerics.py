@@ -145,6 +145,8 @@ def test_clamped_spline(count):
     knots = np.concatenate([np.zeros(degree), inner, np.ones(degree)])
     expected = BSpline(knots, controls, degree)(np.linspace(0, 1, 50))
     np.testing.assert_allclose(clamped_spline(controls, 50), expected, atol=1e-12)
+    some = clamped_spline(controls, 50, 12)
+    np.testing.assert_array_equal(some, clamped_spline(controls, 50)[[0, 12, 24, 36, 48, 49]])
 
 
 @pytest.mark.parametrize("count", [0, 1, 200])
