@@ -12,6 +12,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .distinct import distinct
 from .gaps import Gaps
 from .model import Floats
 from .neighbors import pairs_of
@@ -100,10 +101,10 @@ def _higher_pairs(
     Level by level, because what lies above the ceiling is most of a deep pocket.
     """
     z = samples.points[:, 2]
-    step = np.where(pieces.is_level[samples.pieces], SAME_HEIGHT, np.ptp(z) / 16 + SAME_HEIGHT)
+    step = np.where(pieces.is_level[samples.pieces], SAME_HEIGHT, np.ptp(z) / 4 + SAME_HEIGHT)
     group = np.round(z / step) * step
     found = [(np.zeros(0, np.int64), np.zeros(0, np.int64))]
-    for height in np.unique(group[asking]):
+    for height in distinct(group[asking]):
         mine = asking & (group == height)
         low, high = z[mine].min() + SAME_HEIGHT, ceiling[mine].max() - SAME_HEIGHT
         wanted = (heights > low) & (heights < high)

@@ -8,7 +8,8 @@ plug, its engagement must stay near the limit.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import cache
 
 import numpy as np
 import shapely
@@ -84,7 +85,11 @@ def _closed(
     edges = _new_edges(fills, moved)
     # only a plug's corners: elsewhere strokes, not laps, would have to take so much
     corner = (edges == 1) & shapely.contains_properly(Polygon(visited.exterior), fills)
-    edge = shapely.intersection(closed, omega).boundary if corner.any() else None
+
+    @cache
+    def edge() -> shapely.Geometry:
+        return shapely.intersection(closed, omega).boundary
+
     far = fills[_are_beyond(fills, corner, edges == 0, visited, edge, rules)]
     if len(far) == 0:
         return closed
@@ -177,19 +182,20 @@ def _are_beyond(
     corner: NDArray[np.bool_],
     closing: NDArray[np.bool_],
     visited: Polygon,
-    edge: shapely.Geometry | None,
+    edge: Callable[[], shapely.Geometry],
     rules: FrontRules,
 ) -> NDArray[np.bool_]:
     """Return which fills the cutter does not clear wholly.
 
-    It goes round `visited`, and where a `corner` is rounded then along its new `edge`.
+    It goes round `visited`, and where a `corner` is rounded then along its new `edge`, which is
+    made when it is asked for.
     """
     reach = _reach(rules)
     coords, of = shapely.get_coordinates(fills, return_index=True)
     lost = ~are_within(visited, coords, reach)
     regained = lost & corner[of]
     if regained.any():
-        lost[regained] = ~shapely.dwithin(edge, shapely.points(coords[regained]), reach)
+        lost[regained] = ~shapely.dwithin(edge(), shapely.points(coords[regained]), reach)
     if corner.any():
         bulge = rules.stepover + BULGE * rules.closing
         lost |= corner[of] & ~are_within(visited, coords, bulge)
@@ -197,11 +203,12 @@ def _are_beyond(
     beyond[of[lost]] = True
     # the middle of a wide piece may be out of reach though its rim is not
     doubtful = ~beyond & (closing | (shapely.area(fills) > reach**2))
-    doubtful &= ~_are_surely_near(fills, coords, of, visited, reach)
+    if doubtful.any():
+        doubtful &= ~_are_surely_near(fills, coords, of, visited, reach)
     for i in np.flatnonzero(doubtful):
         x0, y0, x1, y1 = fills[i].bounds
         window = shapely.box(x0 - reach, y0 - reach, x1 + reach, y1 + reach)
-        around = (visited, edge) if corner[i] else (visited,)
+        around = (visited, edge()) if corner[i] else (visited,)
         near = [grow_coarsely(shapely.intersection(s, window), reach) for s in around]
         beyond[i] = shapely.difference(fills[i], shapely.union_all(near)).area > SLIVER
     return beyond

@@ -21,6 +21,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 
+from .distinct import distinct
 from .model import Floats
 from .region import polygons_of, without_hairs
 from .swept import SAME_HEIGHT, Pieces
@@ -102,7 +103,7 @@ def _near(
 ) -> tuple[NDArray[np.object_], Pieces]:
     """Return the lines and arcs that come within the radius of any of the areas."""
     tree = shapely.STRtree(np.concatenate([lines, polylines(arcs)]))
-    near = np.unique(tree.query(areas, predicate="dwithin", distance=radius)[1])
+    near = distinct(tree.query(areas, predicate="dwithin", distance=radius)[1])
     split = np.searchsorted(near, len(lines))
     return lines[near[:split]], arcs.select(near[split:] - len(lines))
 

@@ -28,6 +28,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .distinct import distinct
 from .feed_runs import lengthen_runs
 from .filters import lowest
 from .model import FeedMode, Floats
@@ -134,7 +135,7 @@ def plan_feeds(toolpath: Toolpath, engagement: Measured, rules: FeedRules) -> To
         edges, levels = _snap(edges, levels, ends[first : last + 1], least * SNAP)
         cuts.append(edges[1:])
         rungs.append(levels)
-    pieces = _split(toolpath, np.unique(np.concatenate([*cuts, idle.ravel()])))
+    pieces = _split(toolpath, distinct(np.concatenate([*cuts, idle.ravel()])))
     feeds, roles = toolpath.feeds[pieces.moves], toolpath.roles[pieces.moves]
     in_air = _are_within(pieces.middles, idle) & (roles == Role.CUT)
     roles = np.where(in_air, np.int8(Role.LINK), roles)
@@ -258,7 +259,7 @@ def _snap(
     moved = np.where(np.abs(target - inner) <= reach, target, inner)
     snapped = np.r_[edges[0], moved, edges[-1]]
     # a step that has become empty, or whose edges have passed each other, gives way to the lower
-    order = np.unique(snapped)
+    order = distinct(snapped)
     values = np.full(len(order) - 1, np.iinfo(np.int64).max)
     for low, high, rung in zip(snapped[:-1], snapped[1:], rungs, strict=True):
         i, j = np.searchsorted(order, (low, high))

@@ -13,6 +13,7 @@ import heapq
 import numpy as np
 from numpy.typing import NDArray
 
+from .distinct import distinct
 from .model import Floats
 
 Rungs = NDArray[np.int64]
@@ -70,7 +71,7 @@ def _widen_dips(edges: Floats, rungs: Rungs, least: float) -> tuple[Floats, Rung
     # what would stick out at one end of the stretch goes to the other side
     low, high = low - np.maximum(0.0, high - edges[-1]), high + np.maximum(0.0, edges[0] - low)
     low, high = np.maximum(low, edges[0]), np.minimum(high, edges[-1])
-    fine = np.unique(np.r_[edges, low, high])
+    fine = distinct(np.r_[edges, low, high])
     values = rungs[np.searchsorted(edges, fine[:-1], side="right") - 1]
     first, last = np.searchsorted(fine, low), np.searchsorted(fine, high)
     for dip, i, j in zip(dips, first, last, strict=True):

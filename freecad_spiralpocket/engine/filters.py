@@ -7,7 +7,6 @@ What scipy.ndimage does, in numpy: loading scipy takes as long as planning a sma
 from __future__ import annotations
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from .model import Floats
@@ -44,7 +43,7 @@ def highest(values: Floats, width: int, *, closed: bool = False) -> Floats:
 
     `closed` is as in `evened`.
     """
-    return sliding_window_view(_continued(values, width // 2, closed), width).max(axis=-1)
+    return _over_windows(np.maximum, _continued(values, width // 2, closed), width)
 
 
 def lowest(values: Floats, width: int, *, closed: bool = False) -> Floats:
@@ -52,7 +51,7 @@ def lowest(values: Floats, width: int, *, closed: bool = False) -> Floats:
 
     `closed` is as in `evened`.
     """
-    return sliding_window_view(_continued(values, width // 2, closed), width).min(axis=-1)
+    return _over_windows(np.minimum, _continued(values, width // 2, closed), width)
 
 
 def dilated(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -93,6 +92,16 @@ def patches_of(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
     numbers = np.full(flat.shape, -1, np.intp)
     numbers[flat] = np.repeat(patch, end - begin)
     return numbers.reshape(rows, width)[:, 1:-1]
+
+
+def _over_windows(extreme: np.ufunc, values: Floats, width: int) -> Floats:
+    """Return the extreme of each `width` values in a row; windows are doubled till they suffice."""
+    done = 1
+    while 2 * done <= width:
+        values = extreme(values[:-done], values[done:])
+        done *= 2
+    rest = width - done
+    return extreme(values[: len(values) - rest], values[rest:]) if rest else values
 
 
 def _continued(values: Floats, reach: int, closed: bool) -> Floats:

@@ -34,9 +34,11 @@ from .shaping import (
     Region,
     are_within,
     grow_coarsely,
+    grow_prepared,
     largest,
     opening_of,
     oriented,
+    simplified_region,
     welded,
     without_whiskers,
 )
@@ -145,7 +147,7 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         moved = shapely.union(moved, grow_coarsely(visited, least))
     closed = without_kinks(moved, visited, omega, rules)
     grown = _filleted(shapely.intersection(closed, omega), rules.fillet, omega)
-    front = shapely.simplify(largest(shapely.union(grown, visited)), 0.002)
+    front = simplified_region(largest(shapely.union(grown, visited)), 0.002)
     # a tiny hole beside the rim may come to lie outside
     return front if front.is_valid else largest(shapely.make_valid(front))
 
@@ -161,7 +163,9 @@ def without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> P
         if not omega.contains(hole):
             kept.append(ring)
             continue
-        holding = shapely.intersection(opening_of(hole, idle), hole)
+        # as `_ribs` has shrunk it already
+        opened = grow_coarsely(grow_prepared(hole, -idle), idle)
+        holding = shapely.intersection(opened, hole)
         parts = [p for p in polygons_of(holding) if p.area > SLIVER]
         kept.extend(p.exterior for p in parts)
     return oriented(Polygon(visited.exterior, kept))

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .distinct import are_among
 from .model import Floats
 
 #: Narrower gaps are rounding [rad].
@@ -108,7 +109,7 @@ class Gaps:
         `rims`, `low`, `high` [rad] and `half` are as in `standing`.
         """
         mine, others = self.split(rims)
-        known = np.isin(rims, mine.rims)
+        known = are_among(rims, mine.rims)
         cleared = mine._complement(half)
         rest = standing(
             np.concatenate([rims[known], cleared[0]]),
@@ -123,7 +124,7 @@ class Gaps:
 
     def split(self, rims: NDArray[np.int64]) -> tuple[Gaps, Gaps]:
         """Return the gaps of the given rims, and the others."""
-        mine = np.isin(self.rims, rims)
+        mine = are_among(self.rims, rims)
         return self._select(mine), self._select(~mine)
 
     def _select(self, chosen: NDArray[np.bool_]) -> Gaps:

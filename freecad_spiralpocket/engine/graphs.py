@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from .distinct import distinct_places
 from .model import Floats
 
 
@@ -100,7 +101,5 @@ def delaunay_triangles(points: Floats) -> NDArray[np.intp]:
 
         return Delaunay(points).simplices.astype(np.intp)
     corners = shapely.get_coordinates(shapely.get_parts(parts)).reshape(-1, 4, 2)[:, :3]
-    _, first, same = np.unique(
-        np.vstack([points, corners.reshape(-1, 2)]), axis=0, return_index=True, return_inverse=True
-    )
-    return first[same.ravel()[len(points) :]].reshape(-1, 3)
+    first, same = distinct_places(np.vstack([points, corners.reshape(-1, 2)]))
+    return first[same[len(points) :]].reshape(-1, 3)

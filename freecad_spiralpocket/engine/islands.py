@@ -8,6 +8,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
+from .distinct import distinct_pairs
 from .graphs import delaunay_triangles, spanning_tree
 from .model import Floats
 from .shaping import CRACK, closing_of, grow_coarsely, largest, thick_parts
@@ -92,4 +93,4 @@ def _neighbors(islands: list[Polygon]) -> NDArray[np.intp]:
     owner = np.repeat(np.arange(len(rings)), [len(r) for r in rings])
     sides = delaunay_triangles(np.vstack(rings))[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
     pairs = np.sort(owner[sides], axis=1)
-    return np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0)
+    return distinct_pairs(pairs[pairs[:, 0] != pairs[:, 1]])

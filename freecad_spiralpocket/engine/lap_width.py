@@ -16,7 +16,7 @@ import shapely
 from shapely import Polygon
 
 from .front_rules import FrontRules
-from .shaping import Region, grow_coarsely, opening_of
+from .shaping import Region, grow_prepared, opening_of
 
 #: A lap may be wider by this to leave no ribs; as much as feeds allow without slowing down.
 STRETCH = 1.05
@@ -76,7 +76,7 @@ def _plugs(visited: Polygon, omega: Polygon) -> list[Polygon]:
 
 def _stock(hole: Polygon, rules: FrontRules) -> Region:
     """Return what stands in a hole: the cutter reaches over its rim."""
-    return grow_coarsely(hole, IDLE - rules.cutter_radius)
+    return grow_prepared(hole, IDLE - rules.cutter_radius)
 
 
 def _passes(stock: Region, step: float) -> float:

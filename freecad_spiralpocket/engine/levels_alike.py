@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .distinct import distinct
 from .sampling import Samples
 from .swept import SAME_HEIGHT, Pieces
 
@@ -54,7 +55,7 @@ def _twin_pieces(pieces: Pieces) -> NDArray[np.int64]:
     known: dict[tuple[int, ...], list[NDArray[np.int64]]] = {}
     # levels alike begin at the same place: a cell, or the one beside it
     cells = np.round(pieces.starts / (2 * SAME_HEIGHT)).astype(np.int64)
-    for height in np.unique(heights[flat])[::-1]:
+    for height in distinct(heights[flat])[::-1]:
         level = flat[heights[flat] == height]
         deep = cutting[: level[-1] + 1] & (heights[: level[-1] + 1] <= height)
         if np.count_nonzero(deep) != len(level):

@@ -8,12 +8,14 @@ finds nothing that near asks a tree, which takes some ten times as long.
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from .distinct import distinct
 from .model import Floats
 
 #: Places whose distance is measured to all points, to choose the first cells by.
@@ -64,7 +66,7 @@ def _typical(points: Floats, places: Floats) -> float:
     """Return how far most places are from the points, about."""
     probes = places[:: max(1, len(places) // PROBES)]
     square = ((probes[:, None] - points) ** 2).sum(axis=-1).min(axis=1)
-    return 1.01 * float(np.sqrt(np.quantile(square, 0.8))) + 1e-6
+    return 1.01 * float(np.sqrt(np.sort(square)[math.ceil(0.8 * (len(square) - 1))])) + 1e-6
 
 
 def _within_cells(
@@ -92,7 +94,7 @@ def _within_cells(
     if total[-1] > CROWD * len(places):
         return False
     cuts = np.searchsorted(total, np.arange(PORTION, total[-1], PORTION)) + 1
-    for a, b in pairwise(np.unique(np.r_[0, cuts, len(places)]).tolist()):
+    for a, b in pairwise(distinct(np.r_[0, cuts, len(places)]).tolist()):
         _measure(sorted_points, places, first, last, slice(a, b), found, index)
     index[:] = order[index]
     return True

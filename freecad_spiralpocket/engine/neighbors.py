@@ -18,6 +18,7 @@ import shapely
 from numpy.typing import NDArray
 
 from .distances import point_to_segment
+from .distinct import distinct
 from .model import Floats
 from .sampling import Samples
 from .swept import SAME_HEIGHT, Pieces
@@ -109,7 +110,7 @@ def neighborhoods(samples: Samples, pieces: Pieces, cutter_radius: float) -> Ite
         blocks = -(-(last - first) // BLOCK)
         work = np.cumsum(np.bincount(block, minlength=blocks)) * BLOCK
         cuts = np.searchsorted(work, np.arange(PORTION, work[-1], PORTION), side="right")
-        cuts = np.unique(np.r_[0, cuts, blocks])
+        cuts = distinct(np.r_[0, cuts, blocks])
         edges = np.searchsorted(block, cuts)
         for b0, b1, e0, e1 in zip(cuts[:-1], cuts[1:], edges[:-1], edges[1:], strict=True):
             f, t = first + b0 * BLOCK, min(first + b1 * BLOCK, last)

@@ -55,7 +55,8 @@ def promising(
 
 def _sampled(line: shapely.Geometry, spacing: float) -> Floats:
     """Return points along lines, at most `spacing` apart [mm]."""
-    return shapely.get_coordinates(shapely.segmentize(shapely.simplify(line, 0.05), spacing))
+    slim = shapely.simplify(line, 0.05, preserve_topology=False)
+    return shapely.get_coordinates(shapely.segmentize(slim, spacing))
 
 
 def _farthest(places: Floats, visited: Region) -> float:

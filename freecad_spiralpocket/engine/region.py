@@ -54,6 +54,8 @@ def grow(
 
 def polygons_of(shape: shapely.Geometry) -> list[Polygon]:
     """Return the polygons in `shape`, counter-clockwise, largest first (ties: lower left)."""
+    if isinstance(shape, Polygon):
+        return [] if shape.is_empty else [orient(shape)]
     parts = shapely.get_parts(shapely.get_parts(shape))  # a collection may hold several at once
     parts = [g for g in parts if isinstance(g, Polygon) and not g.is_empty]
     return [orient(p) for p in sorted(parts, key=lambda p: (-p.area, p.bounds))]

@@ -165,16 +165,18 @@ def _arc_interval(
     low, high = np.full(len(t0), np.inf), np.full(len(t0), -np.inf)
     inside = far < rho
 
-    def include(t: Floats, valid: NDArray[np.bool_]) -> None:
-        x, y = rho * np.cos(t) - far, rho * np.sin(t)
+    def include(t: Floats, at: NDArray[np.intp]) -> None:
+        x, y = rho[at] * np.cos(t) - far[at], rho[at] * np.sin(t)
         # continuous in t: seen from inside the circle the bearing runs through 0, seen from
         # outside through pi
-        phi = np.where(inside, np.arctan2(y, x), np.pi + np.arctan2(-y, -x))
+        turned = np.where(inside[at], 0.0, np.pi)
+        sign = np.where(inside[at], 1.0, -1.0)
+        phi = turned + np.arctan2(sign * y, sign * x)
         half = np.arccos(np.minimum(np.hypot(x, y) / (2 * r), 1.0))
-        np.minimum(low, np.where(valid, phi - half, np.inf), out=low)
-        np.maximum(high, np.where(valid, phi + half, -np.inf), out=high)
+        low[at] = np.minimum(low[at], phi - half)
+        high[at] = np.maximum(high[at], phi + half)
 
-    every = np.ones(len(t0), bool)
+    every = np.arange(len(t0))
     include(t0, every)
     include(t1, every)
     for reach in (rho + r, rho - r):
@@ -183,5 +185,6 @@ def _arc_interval(
         square = np.arccos(np.clip(cos_square, -1.0, 1.0))
         exists = np.abs(cos_square) <= 1.0
         for t in (square, -square):
-            include(t, exists & (t > t0) & (t < t1))
+            valid = np.flatnonzero(exists & (t > t0) & (t < t1))
+            include(t[valid], valid)
     return low, high

@@ -23,6 +23,8 @@ from .spiral import between
 
 #: Longest chord of a link that is tried, and of one that is taken [mm].
 CHORD, FINE = 0.12, 0.05
+#: A curve is made whole where of its points one of so many is on free ground.
+GLANCE = 12
 #: Distances of control points tried, over R.
 SPACINGS = (3.0, 2.0, 1.3, 0.8, 0.5, 0.3)
 #: A way is looked for nearer to what stands where it is longer than so much times the straight one
@@ -177,7 +179,9 @@ class LongWays:
                     for a, b in of_size
                 ]
             )
-            curves = clamped_spline(controls, max(97, int(way.length / CHORD)))
+            count = max(97, int(way.length / CHORD))
+            controls = controls[self._cleared.are_free(clamped_spline(controls, count, GLANCE))]
+            curves = clamped_spline(controls, count)
             good = self._cleared.are_free(curves) & (tightest_bend(curves) >= least_radius)
             lengths = np.hypot(*np.moveaxis(np.diff(curves[good], axis=1), -1, 0)).sum(axis=1)
             free += zip(lengths.tolist(), controls[good], strict=True)
@@ -263,7 +267,7 @@ def tightest_bend(points: Floats) -> Floats:
         return np.asarray(1 / np.abs(three_point_curvature(a, b, c)).max(axis=-1))
 
 
-def clamped_spline(controls: Floats, count: int) -> Floats:
+def clamped_spline(controls: Floats, count: int, every: int = 1) -> Floats:
     """Return `count` points of clamped cubic B-splines, by de Boor's algorithm.
 
     Parameters
@@ -271,6 +275,8 @@ def clamped_spline(controls: Floats, count: int) -> Floats:
     controls : ndarray of shape (..., n, 2)
         [mm]
     count : int
+    every : int
+        Only one of so many points is returned, and the last.
 
     Returns
     -------
@@ -281,6 +287,7 @@ def clamped_spline(controls: Floats, count: int) -> Floats:
     degree = min(3, n - 1)
     knots = np.concatenate([np.zeros(degree), np.linspace(0, 1, n - degree + 1), np.ones(degree)])
     u = np.linspace(0, 1, count)
+    u = np.append(u[:-1:every], u[-1])
     span = np.clip(np.searchsorted(knots, u, side="right") - 1, degree, n - 1)
     points = controls[..., span[:, None] + np.arange(-degree, 1), :]
     for r in range(1, degree + 1):

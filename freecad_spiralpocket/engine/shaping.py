@@ -37,7 +37,9 @@ def grow_coarsely(shape: Region, distance: float) -> Region:
     step = 2 * np.arccos(1 - min(0.5, 0.004 / max(abs(distance), 1e-6)))
     grown = shapely.buffer(shape, distance, quad_segs=max(4, int(np.ceil(np.pi / 2 / step))))
     # once in a great while two of its parts overlap, which nothing after it bears
-    return grown if grown.is_valid else MultiPolygon(polygons_of(shapely.make_valid(grown)))
+    if isinstance(grown, Polygon) or grown.is_valid:
+        return grown
+    return MultiPolygon(polygons_of(shapely.make_valid(grown)))
 
 
 def opening_of(shape: Region, radius: float) -> Region:
@@ -64,6 +66,8 @@ def are_within(shape: Region, points: Floats, distance: float) -> NDArray[np.boo
     The same region is asked again and again, about hundreds of points: looking them up in the grown
     region takes a fifth of the time of measuring each.
     """
+    if len(points) == 0:
+        return np.zeros(0, bool)
     return np.asarray(shapely.contains_xy(grow_prepared(shape, distance), points))
 
 
@@ -77,7 +81,35 @@ def grow_prepared(shape: Region, distance: float) -> Region:
 
 def holes_of(shape: Region) -> int:
     """Return how many holes a region has."""
-    return int(shapely.get_num_interior_rings(shapely.get_parts(shape)).sum())
+    # a part is a copy
+    parts = shape if isinstance(shape, Polygon) else shapely.get_parts(shape)
+    return int(np.sum(shapely.get_num_interior_rings(parts)))
+
+
+def simplified_region(shape: Polygon, tolerance: float) -> Polygon:
+    """Return a region without the points that matter less than a tolerance [mm].
+
+    Ring by ring, which takes a tenth of the time of seeing to it that no two come to cross; that
+    is only done where they do.
+    """
+    slim = [_simplified_ring(ring, tolerance) for ring in shapely.get_rings(shape)]
+    if min(map(len, slim)) > 3:
+        region = Polygon(slim[0], slim[1:])
+        if region.is_valid:
+            return region
+    return shapely.simplify(shape, tolerance)
+
+
+def _simplified_ring(ring: shapely.LinearRing, tolerance: float) -> Floats:
+    """Return the points of a ring, shape (n, 2), without those that matter less [mm].
+
+    Where its first point is left out it begins at the last that is not, as in a whole region.
+    """
+    slim = shapely.simplify(ring, tolerance, preserve_topology=False)
+    points = shapely.get_coordinates(slim)
+    if len(points) and (points[0] != shapely.get_coordinates(ring)[0]).any():
+        points = np.vstack([points[-2:-1], points[:-1]])
+    return points
 
 
 def welded(shapes: Sequence[Region]) -> Region:

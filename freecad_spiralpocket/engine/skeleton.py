@@ -22,6 +22,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
+from .distinct import distinct_places
 from .graphs import delaunay_triangles, shortest_paths
 from .model import Floats
 from .nearest import nearest
@@ -140,10 +141,8 @@ def _voronoi(samples: Floats) -> tuple[Floats, NDArray[np.intp], NDArray[np.intp
     away = np.column_stack([ac[:, 1] * q - ab[:, 1] * s, ab[:, 0] * s - ac[:, 0] * q])
     centers = a + np.clip(away / twice_area[:, None], -1e6, 1e6)
     # samples on one circle share their corner
-    _, first, corner = np.unique(
-        np.round(centers / SAME_CORNER), axis=0, return_index=True, return_inverse=True
-    )
-    edges = corner.ravel()[edges]
+    first, corner = distinct_places(np.round(centers / SAME_CORNER))
+    edges = corner[edges]
     real = edges[:, 0] != edges[:, 1]
     return centers[first], edges[real], pairs[real]
 

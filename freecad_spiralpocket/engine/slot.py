@@ -14,6 +14,7 @@ import math
 import numpy as np
 from shapely import Point
 
+from .distinct import distinct
 from .floor import Descent, Slot, Stairs
 from .model import Floats, PocketRequest
 from .points import distances_along
@@ -74,7 +75,7 @@ def slot_path(slot: Slot, down: Descent) -> Floats:
     knees = begins + ramps
     turns = np.arange(math.floor(begins[0] / length), 1)
     stops = (corners[None, :] + length * turns[:, None]).ravel()
-    s = np.unique(np.round(np.concatenate([stops, begins, knees, [0.0]]), 9))
+    s = distinct(np.round(np.concatenate([stops, begins, knees, [0.0]]), 9))
     s = s[(s > begins[0] - 1e-6) & (s <= 0.0)]
     floors = down.top - np.cumsum(drops)
     bounds = np.column_stack([begins, knees]).ravel()

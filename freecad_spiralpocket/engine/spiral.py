@@ -15,6 +15,7 @@ import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
+from .distinct import distinct
 from .filters import evened
 from .model import Floats
 from .nearest import nearest
@@ -147,7 +148,7 @@ def zones(lap: LineString, target: LineString, radius: float, widest: float) -> 
     if len(good) == 0:
         return starts[[int(np.argmin(np.round(gaps(lap, target, starts, length), 3)))]]
     count = max(ZONES, int(lap.length / (APART * radius)))
-    return starts[good[np.unique(np.linspace(0, len(good) - 1, count).astype(int))]]
+    return starts[good[distinct(np.linspace(0, len(good) - 1, count).astype(int))]]
 
 
 def anywhere(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:

@@ -17,12 +17,13 @@ import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
+from .distinct import distinct
 from .filters import evened, lowest
 from .front_rules import FrontRules, engagement_step
 from .model import Floats
 from .points import distances_along
 from .polyline import points_at
-from .shaping import CRACK, Region, are_within, opening_of, thick_parts
+from .shaping import CRACK, Region, opening_of, thick_parts
 
 #: Samples along the wall, over R.
 SPACING = 0.1
@@ -73,7 +74,7 @@ class Profile:
     def along(self) -> Floats:
         """Return the places of all points of the lines: the wall's own and the samples [mm]."""
         corners = distances_along(shapely.get_coordinates(self.wall))[:-1]
-        return np.unique(np.concatenate([corners, self.samples]))
+        return distinct(np.concatenate([corners, self.samples]))
 
     @property
     def tapers(self) -> int:
@@ -194,7 +195,9 @@ def _are_corners(
     found = np.zeros(len(parts), dtype=bool)
     found[shapely.STRtree(parts).query(corners, predicate="dwithin", distance=CRACK)[1]] = True
     coords, of = shapely.get_coordinates(parts, return_index=True)
-    found[of[~are_within(wide, coords, far)]] = False
+    # asked once: growing what is full of short arcs may take GEOS a hundred times as long
+    shapely.prepare(wide)
+    found[of[~shapely.dwithin(wide, shapely.points(coords), far)]] = False
     return found
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
+from .distinct import distinct_pairs
 from .model import Floats
 from .polyline import closed_line, points_at
 from .shaping import Region, grow_coarsely
@@ -85,7 +86,7 @@ def leanings(strokes: Sequence[Stroke], stepover: float) -> list[set[int]]:
     of = np.array(owner)[pairs]
     levels = np.array([s.level for s in strokes])
     needs: list[set[int]] = [set() for _ in strokes]
-    for i, j in np.unique(of[:, levels[of[1]] < levels[of[0]]], axis=1).T.tolist():
+    for i, j in distinct_pairs(of[:, levels[of[1]] < levels[of[0]]].T).tolist():
         needs[i].add(j)
     return needs
 
@@ -222,6 +223,7 @@ class _Spirals:
         size, widest = self.size, self.widest(exterior)
         stock = None if exterior else _taken_by(strokes[-LAST:], self.fronts, self.radius)
 
+        @cache
         def way(start: float) -> Floats:
             points = spiral_through(source, start, laps, size, widest)
             if stock is None:

@@ -22,6 +22,7 @@ from shapely import MultiPolygon, Polygon
 from . import findings
 from .collisions import Hit, hits_along, plunges
 from .coverage import reachable_floor, uncut_floor
+from .distinct import are_among
 from .engagement import Engagement, engagement_of
 from .gouge import gouge_depth
 from .levels import Level, levels_of
@@ -113,7 +114,7 @@ def _gouge(
     layer = (bottoms[None, :] > lowest[:, None] + SAME_HEIGHT).sum(axis=1)
     layer = np.minimum(layer, len(levels) - 1)
     found = [
-        gouge_depth(pocket, pieces.select(np.isin(layer, members)), clearance)
+        gouge_depth(pocket, pieces.select(are_among(layer, np.asarray(members))), clearance)
         for pocket, members in _alike(levels)
     ]
     return max(found, key=lambda each: each[0])

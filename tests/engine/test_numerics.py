@@ -11,13 +11,20 @@ from scipy.interpolate import BSpline
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra, minimum_spanning_tree
 from scipy.spatial import cKDTree
-from shapely import LineString, MultiPoint
+from shapely import LineString, MultiPoint, Point
 
+from freecad_spiralpocket.engine.distinct import (
+    are_among,
+    distinct,
+    distinct_pairs,
+    distinct_places,
+)
 from freecad_spiralpocket.engine.filters import dilated, evened, highest, lowest, patches_of
 from freecad_spiralpocket.engine.graphs import delaunay_triangles, shortest_paths, spanning_tree
 from freecad_spiralpocket.engine.nearest import nearest
 from freecad_spiralpocket.engine.polyline import locate
 from freecad_spiralpocket.engine.routing import clamped_spline
+from freecad_spiralpocket.engine.shaping import simplified_region
 
 RANDOM = np.random.default_rng(7)
 
@@ -138,3 +145,43 @@ def test_clamped_spline(count):
     knots = np.concatenate([np.zeros(degree), inner, np.ones(degree)])
     expected = BSpline(knots, controls, degree)(np.linspace(0, 1, 50))
     np.testing.assert_allclose(clamped_spline(controls, 50), expected, atol=1e-12)
+    some = clamped_spline(controls, 50, 12)
+    np.testing.assert_array_equal(some, clamped_spline(controls, 50)[[0, 12, 24, 36, 48, 49]])
+
+
+@pytest.mark.parametrize("count", [0, 1, 200])
+def test_distinct_values_and_which_are_among_them(count):
+    values = np.random.default_rng(count).integers(0, 90, count)
+    assert np.array_equal(distinct(values), np.unique(values))
+    assert np.array_equal(distinct(values / 7), np.unique(values / 7))
+    for chosen in (values[::5], values[:0]):
+        assert np.array_equal(are_among(values, chosen), np.isin(values, chosen))
+    pairs = np.column_stack([values, values[::-1] // 9])
+    assert np.array_equal(distinct_pairs(pairs), np.unique(pairs, axis=0))
+
+
+def test_distinct_places_are_those_of_rows():
+    points = np.random.default_rng(4).integers(-3, 3, (60, 2)) / 3
+    first, place = distinct_places(points)
+    wanted = np.unique(points, axis=0, return_index=True, return_inverse=True)
+    assert np.array_equal(first, wanted[1])
+    assert np.array_equal(place, wanted[2].ravel())
+
+
+def test_simplified_region_is_that_of_all_rings_at_once():
+    ring = Point(0, 0).buffer(30, quad_segs=300)
+    # the first point in the middle of a side, which is left out
+    square = shapely.Polygon([(5, 0), (10, 0), (10, 10), (0, 10), (0, 0)])
+    for region in (ring, ring.difference(square), square.difference(Point(5, 5).buffer(2))):
+        slim = simplified_region(region, 0.002)
+        assert shapely.equals_exact(slim, shapely.simplify(region, 0.002))
+        assert shapely.get_num_coordinates(slim) < shapely.get_num_coordinates(region)
+
+
+def test_simplified_region_stays_one_where_rings_would_cross():
+    # a hole that comes nearer to the rim than the tolerance
+    rim = shapely.Polygon([(0, 0), (5, -0.09), (10, 0), (10, 10), (0, 10)])
+    region = rim.difference(shapely.Polygon([(4, 2), (5, -0.06), (6, 2)]))
+    slim = simplified_region(region, 0.1)
+    assert slim.is_valid
+    assert len(slim.interiors) == 1

@@ -17,6 +17,8 @@ from shapes import DUMBBELL, L_SHAPE, SQUARE, lifts, request, rounded
 from freecad_spiralpocket.engine import plan, starts
 from freecad_spiralpocket.engine.floor import Descent, Slot, Stairs
 from freecad_spiralpocket.engine.front_rules import WIDEST, rules_of
+from freecad_spiralpocket.engine.fronts import fronts_from
+from freecad_spiralpocket.engine.laps import automatic
 from freecad_spiralpocket.engine.model import Cutting, Entry, Heights
 from freecad_spiralpocket.engine.polyline import closed_line
 from freecad_spiralpocket.engine.slot import slot_path
@@ -201,3 +203,21 @@ def test_rectangles_of_any_size_are_cut_whole(wide, high, radius, stepover, dept
     assert report.gouge <= 0.01 and report.link_hit == 0
     assert report.entry_bite <= 1.8 + 1e-6
     assert report.engagement_p99 < report.engagement_limit + math.radians(12)
+
+
+def test_slot_without_stairs_is_only_grown_where_it_may_be_faster(monkeypatch):
+    cross = box(-25, -6, 25, 6).union(box(-6, -25, 6, 25))
+    asked = request(box(-40, -40, 40, 40).difference(cross), heights=DEEP)
+    grown = []
+
+    def counted(start, *rest):
+        grown.append(start)
+        return fronts_from(start, *rest)
+
+    monkeypatch.setattr(automatic, "fronts_from", counted)
+    made = plan(asked)
+    few = len(grown)
+    # all links spared: what stairs save never makes up for them
+    monkeypatch.setattr(automatic, "SPARED", np.inf)
+    assert plan(asked).report.time == made.report.time
+    assert len(grown) - few == few + 1

@@ -57,6 +57,9 @@ CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
 #: A start with more links than the best so far is taken if it is faster by this share: where a
 #: stroke leaves a wall the engagement jumps, and links wear the machine.
 TIE = 0.06
+#: A slot without stairs spares so many of the links at most: it is not grown where stairs save
+#: more than that.
+SPARED = 3
 #: Strokes at the mouths of bridges begin and end so much early and late, over R.
 OVERRUN = 0.5
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
@@ -157,12 +160,17 @@ def _fastest(
         if not best.is_beaten_by(toll * at_least, _open_strokes(strokes)):
             continue
         laid = _laid(start, fronts, strokes, within, request, motion, done)
-        seconds = toll * (entry + seconds_of(laid.all_steps, request, motion))
+        seconds = entry + seconds_of(laid.all_steps, request, motion)
         links = sum(step.link is None or len(step.link) > 0 for step in laid.all_steps)
-        if best.is_beaten_by(seconds, links):
-            best = _Best(start, laid, seconds, links)
+        if best.is_beaten_by(toll * seconds, links):
+            best = _Best(start, laid, toll * seconds, links)
         if start.plain is not None and not start.is_sure and links > 1:
-            starts.append((start.plain, within))
+            more = entry_seconds(start.plain, request, motion) - entry
+            more += _least_left(start.plain.visited, start.plain, rules, motion)
+            more -= _least_left(start.visited, start, rules, motion)
+            spared = min(1.0, SPARED / links) * (seconds - at_least)
+            if toll * (seconds + more - spared) < best.seconds:
+                starts.append((start.plain, within))
     if best.start is None:
         raise _too_wide()
     return _in_better_order(best, motion, partial(tick, 1.0))
@@ -259,7 +267,6 @@ def _grown(
     fronts: list[Polygon] = []
     strokes: list[Stroke] = []
     corners = 0
-    widest = WIDEST * STRETCH * rules.stepover
     for front, is_corner in _levels(start, rules):
         tick()
         fronts.append(front)
@@ -269,14 +276,20 @@ def _grown(
         if best.start is not None and len(fronts) > 1:
             more = strokes_between(fronts[-2], front, len(fronts) - 1)
             strokes += strokes_in_stock(more, start.idle)
-            # narrow holes need no stroke: the cutter reaches over them
-            idle = rules.cutter_radius * sum(ring.length for ring in front.interiors)
-            idle += sum(ground.area for ground in start.idle if not front.contains(ground))
-            left = max(0.0, start.omega.area - front.area - idle) / widest / motion.cut_feed
-            at_least = entry + least_seconds(strokes, motion) + left
+            at_least = entry + least_seconds(strokes, motion)
+            at_least += _least_left(front, start, rules, motion)
             if not best.is_beaten_by(at_least, _open_strokes(strokes)):
                 return None
     return fronts, corners
+
+
+def _least_left(front: Polygon, start: Start, rules: FrontRules, motion: Motion) -> float:
+    """Return how long it takes at least to cut what a front of a start leaves [s]."""
+    # narrow holes need no stroke: the cutter reaches over them
+    idle = rules.cutter_radius * sum(ring.length for ring in front.interiors)
+    idle += sum(ground.area for ground in start.idle if not front.contains(ground))
+    widest = WIDEST * STRETCH * rules.stepover
+    return float(max(0.0, start.omega.area - front.area - idle) / widest / motion.cut_feed)
 
 
 def _levels(start: Start, rules: FrontRules) -> Iterator[tuple[Polygon, bool]]:
