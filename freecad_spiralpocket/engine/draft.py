@@ -46,9 +46,9 @@ class Opening:
     Attributes
     ----------
     kind : str
-        The name of its `starts.Start`.
+        The name of its `start.Start`.
     visited, omega : shapely.Polygon
-        See `starts.Start`.
+        See `start.Start`.
     walls : shapely.Polygon
         The region whose boundary the last laps run along.
     ring : ndarray of shape (n, 2)

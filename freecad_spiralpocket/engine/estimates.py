@@ -17,7 +17,7 @@ from .machine import machine_of
 from .model import Floats, PocketRequest
 from .ordering import Step
 from .slot import slot_levels, slot_path
-from .starts import Start
+from .start import Start
 from .strokes import Stroke
 from .timing import polyline_seconds
 

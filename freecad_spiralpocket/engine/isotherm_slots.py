@@ -24,7 +24,7 @@ from .isotherms import Family, Room, distances, isotherms, points_of
 from .model import Floats
 from .nested import Lap
 from .region import grow, polygons_of, widest_disc
-from .starts import slot_bite
+from .start import slot_bite
 
 #: A core is opened by a slot where a helix would need more laps than this times its levels.
 SLOT_PAYS = 2.0

@@ -23,7 +23,8 @@ from .floor import Plunge
 from .model import Floats, PocketRequest
 from .region import grow, polygons_of
 from .shaping import Region, grow_coarsely, largest, oriented, welded
-from .starts import Start, candidates
+from .start import Start
+from .starts import candidates
 from .strokes import Stroke
 
 #: What begins within goes so far beyond what shall be cleared, over R; the first that leaves

@@ -24,7 +24,8 @@ from .polyline import closed_line, ring_from
 from .shaping import grow_coarsely, oriented
 from .skeleton import Skeleton
 from .slot import slot_end
-from .starts import HALF_WIDTHS, Start, slot_round
+from .start import Start
+from .starts import HALF_WIDTHS, slot_round
 
 #: Half the width of what is opened about centers, over D: less where they cross at right angles.
 HALVES = (*HALF_WIDTHS, 0.26, 0.2)

@@ -10,7 +10,7 @@ from shapely import Polygon
 from .model import Floats
 from .nearest import nearest
 from .shaping import Region
-from .starts import Start
+from .start import Start
 
 #: A start is hopeless whose farthest wall is farther than this over the nearest one's.
 HOPELESS = 1.5

@@ -8,7 +8,7 @@ How a pocket is opened decides elongated pockets and pockets with islands:
   as a racetrack so that no post remains and nothing reverses;
 - an *island ring*: once round all islands, joined by bridges. After that no front
   ever meets an island; everything is laps outwards to the outer wall;
-- the *outline*: once round the wall, and inwards from there (outline.py);
+- the *outline*: once round the wall, and inwards from there (wall_slot.py);
 - an *open side*: from the air beside the stock (open_sides.py).
 """
 
@@ -16,8 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
-from itertools import islice
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -26,21 +25,17 @@ from shapely import LineString, Point, Polygon
 from .branches import feet_between, lengthened, slim_ring, smoothed
 from .entry import NARROWEST, WIDEST, fit_helix_radius
 from .errors import CutterDoesNotFitError
-from .floor import Descent, Groove, Helix, Slot, WayDown
-from .front_rules import rules_of
-from .fronts import fronts_from
+from .floor import Groove, Helix, Slot
 from .groove import rooms_of
 from .islands import bridges_between, into_notches
-from .leaving import bends, straightest
+from .leaving import straightest
 from .model import Floats, PocketRequest
-from .outline import WIDTH, outline_of
-from .polyline import closed_line, located, points_at
+from .polyline import closed_line
 from .shaping import grow_coarsely, largest, oriented
 from .skeleton import Edges, Skeleton, longest_edges, longest_path, medial_axis, peel, without_spurs
-from .slot import slot_lead
 from .spiral import BLEND, between
-from .stairs import leaves_crumbs, stairs_of
-from .strokes import strokes_of
+from .start import Start, equal_bite, slot_bite
+from .wall_slot import wall_slot
 
 #: The whole tree is tried if it is longer than its longest path by this.
 BRANCHED = 1.15
@@ -55,8 +50,6 @@ UNFORKED, SPUR = 0.8, 1.6
 NARROW = 1.0
 #: Ends of a groove with this share of the most room are as good.
 ROOMY = 0.8
-#: A wall that bends less than this is as good as straight to begin a spiral at [rad].
-STRAIGHT = 0.4
 #: A groove is tried where a slot's bite stays below the equal one by this.
 CAPPED = 0.95
 #: Half the distance between the ways forth and back of a groove, over D.
@@ -71,69 +64,6 @@ RING_ROUNDINGS = (1.0, 0.5, 0.2, 0.1, 0.02, 0.005, 0.002, 0.0005)
 CHORD_SLACK = 0.004
 #: Width of the smoothing of the center curve, over R.
 SMOOTHING = 1.0
-#: So far beside corners all loops of a slot run along the wall, over R; the first that leaves
-#: nothing on the floor.
-BARE = (0.0, 0.25, 0.6)
-#: Stairs that save more than this over all stock need no comparison: of seventy pockets none lost.
-SURE = 0.085
-#: A slot's axial bite over D at most.
-DEEPEST_BITE = 0.3
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Start:
-    """One way to open a region.
-
-    Attributes
-    ----------
-    name : str
-    visited : shapely.Polygon
-        Where the cutter's center has been, or could go without cutting, after the entry; ringed
-        islands are filled.
-    omega : shapely.Polygon
-        The region to grow in, ringed islands filled.
-    entry : WayDown
-    ring : LineString
-        The entry's last lap, closed, from where the entry ends, stock on its right.
-    within : shapely.Polygon or None
-        Where fronts do not end at the outer wall: all of the cutter-center region that they
-        reach. What is left of the region is corners.
-    idle : tuple of shapely.Polygon
-        Other ground in `omega` where the center could go without cutting, once it gets there.
-    plain : Start or None
-        The same without stairs, if this has some. What of `visited` is not visited in that is not
-        yet open down to the floor: a first lap clears it.
-    is_sure : bool
-        Whether stairs need no comparison with that.
-    fronts : tuple of shapely.Polygon
-        The first fronts from `visited`, if they are known.
-    """
-
-    name: str
-    visited: Polygon
-    omega: Polygon
-    entry: WayDown
-    ring: LineString
-    within: Polygon | None = None
-    idle: tuple[Polygon, ...] = ()
-    plain: Start | None = None
-    is_sure: bool = True
-    fronts: tuple[Polygon, ...] = ()
-
-
-def slot_bite(request: PocketRequest) -> float:
-    """Return the axial depth of a slot's levels [mm].
-
-    By default a full slot of that depth removes as much as the step-over at the full depth.
-    """
-    if request.entry.slot_bite > 0:
-        return request.entry.slot_bite
-    return min(equal_bite(request), DEEPEST_BITE * request.tool_diameter)
-
-
-def equal_bite(request: PocketRequest) -> float:
-    """Return the axial depth of a full slot that removes as much as the step-over does [mm]."""
-    return request.cutting.stepover * request.axial_depth / request.tool_diameter
 
 
 def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
@@ -161,7 +91,7 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
     # the axis round islands has no one path; a slot along a part of it is a poor start
     ringed = island_ring(region, request) if region.interiors else None
     starts.extend([ringed] if ringed is not None else _slots(region, axis, request))
-    outlined = _outline(region, axis, request)
+    outlined = wall_slot(region, axis, request)
     if outlined is not None:
         starts.append(outlined)
     starts = [start for start in starts if not _is_plunge(start, request)]
@@ -179,7 +109,7 @@ def candidates(region: Polygon, request: PocketRequest) -> list[Start]:
 
 def _near(region: Polygon, axis: Skeleton, request: PocketRequest) -> list[Start]:
     """Return the ways to open a region near the start point that was asked for; maybe none."""
-    outlined = _outline(region, axis, request)
+    outlined = wall_slot(region, axis, request)
     starts = [] if outlined is None else [outlined]
     with suppress(CutterDoesNotFitError):
         starts.insert(0, _point(region, _roomy(region, axis, request), request))
@@ -337,77 +267,6 @@ def _slot_start(name: str, visited: Polygon, omega: Polygon, request: PocketRequ
     points = between(ring, leave, ring.length)[:-1]
     closed = closed_line(points)
     return Start(name, visited, omega, Slot(points, slot_bite(request)), closed)
-
-
-def _outline(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start | None:
-    """Return the slot once round the wall, None where it cannot be.
-
-    Nor where it cannot begin near the start point that was asked for.
-    """
-    outline = outline_of(region, request.cutter_radius)
-    if outline is None:
-        return None
-    # beside a middle of the plug lap follows lap for longest, best along a straight wall
-    deep = axis.nodes[axis.clearance > ROOMY * axis.clearance.max(initial=0.0)]
-    asked = request.start_point
-    if len(deep) == 0 or asked is not None:  # too narrow for an axis, or anywhere near a place
-        deep = shapely.get_coordinates(shapely.segmentize(outline.ring, request.cutter_radius))
-    zone = BLEND * request.cutter_radius
-    leaves = located(outline.ring, deep) - zone / 2
-    bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
-    leaves = leaves[bent <= max(STRAIGHT, float(bent.min()))]
-
-    def begun(ahead: float) -> Start | None:
-        """Return the slot that begins so far ahead of where it ends, on the way back [mm]."""
-        place = (0.0, 0.0) if asked is None else asked  # programs come from the origin
-        begins = points_at(outline.ring, (leaves + ahead) % outline.ring.length)
-        away = np.hypot(*(begins - place).T)
-        if asked is not None and away.min() > request.tool_diameter:
-            return None
-        leave = float(leaves[np.argmin(away)])
-        points = between(outline.ring, leave, outline.ring.length)[:-1]
-        # the wall is cut climb; the plug lies on the other side: its laps go the other way
-        slot = Slot(np.vstack([points[:1], points[:0:-1]]), slot_bite(request))
-        ring = closed_line(points)
-        return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
-
-    down = Descent(request.axial_depth, 0.0, request.entry.helix_angle)
-    slot = Slot(shapely.get_coordinates(outline.ring)[:0:-1], slot_bite(request))
-    start = begun(0.0 if asked is None else slot_lead(slot, down))
-    wider = None if start is None else _with_stairs(start, request)
-    if asked is None or wider is None or wider is start:
-        return wider
-    assert isinstance(wider.entry, Slot)
-    moved = begun(slot_lead(wider.entry, down))  # with stairs the way down is longer
-    return start if moved is None else _with_stairs(moved, request)
-
-
-def _with_stairs(start: Start, request: PocketRequest) -> Start:
-    """Return a slot whose loops come nearer to the wall level by level, where that is worth it."""
-    radius, rules = request.cutter_radius, rules_of(request)
-    slot, region = start.entry, start.within
-    assert isinstance(slot, Slot) and region is not None
-    for bare in BARE:
-        found = stairs_of(slot.ring, region, slot.bite, request, bare)
-        if found is None:
-            break
-        stairs, saved = found
-        plug = grow_coarsely(Polygon(stairs.inner), -WIDTH * radius)
-        around = Polygon(start.visited.exterior)
-        visited = oriented(largest(shapely.difference(around, plug)))
-        fronts = tuple(islice(fronts_from(visited, start.omega, rules), 2))
-        if len(fronts) < 2 or leaves_crumbs(stairs, strokes_of(fronts), radius):
-            continue
-        return replace(
-            start,
-            visited=visited,
-            entry=replace(slot, ring=stairs.lines[-1], stairs=stairs),
-            ring=closed_line(np.vstack([stairs.inner[:1], stairs.inner[:0:-1]])),
-            plain=start,
-            is_sure=saved > SURE,
-            fronts=fronts,
-        )
-    return start
 
 
 def island_ring(region: Polygon, request: PocketRequest) -> Start | None:

@@ -43,7 +43,7 @@ from freecad_spiralpocket.engine.sizes import (
     resized_path,
     resized_request,
 )
-from freecad_spiralpocket.engine.starts import slot_bite
+from freecad_spiralpocket.engine.start import slot_bite
 from freecad_spiralpocket.engine.toolpath import Role
 
 ISLANDS = (

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon, box
 from shapes import DUMBBELL, L_SHAPE, SQUARE, lifts, request, rounded
 
-from freecad_spiralpocket.engine import plan, starts
+from freecad_spiralpocket.engine import plan, wall_slot
 from freecad_spiralpocket.engine.floor import Descent, Slot, Stairs
 from freecad_spiralpocket.engine.front_rules import WIDEST, rules_of
 from freecad_spiralpocket.engine.fronts import fronts_from
@@ -23,7 +23,7 @@ from freecad_spiralpocket.engine.model import Cutting, Entry, Heights
 from freecad_spiralpocket.engine.polyline import closed_line
 from freecad_spiralpocket.engine.slot import slot_path
 from freecad_spiralpocket.engine.stairs import leaves_crumbs, stairs_of
-from freecad_spiralpocket.engine.starts import slot_bite
+from freecad_spiralpocket.engine.start import slot_bite
 from freecad_spiralpocket.engine.strokes import Stroke
 from freecad_spiralpocket.engine.toolpath import Role
 
@@ -166,7 +166,7 @@ def test_crumbs_are_found_where_the_first_lap_is_too_far():
 def test_pocket_is_cut_sooner_whole_and_as_gently(name, monkeypatch):
     asked = request(POCKETS[name], heights=DEEP)
     result = plan(asked)
-    monkeypatch.setattr(starts, "stairs_of", lambda *_: None)
+    monkeypatch.setattr(wall_slot, "stairs_of", lambda *_: None)
     plain = plan(asked)
     assert result.report.time < 0.97 * plain.report.time
     assert result.report.uncut_area < 1e-3

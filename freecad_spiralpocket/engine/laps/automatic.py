@@ -45,7 +45,8 @@ from ..region import polygons_of
 from ..sequence import in_better_sequence
 from ..shaping import grow_coarsely, largest, oriented, thick_parts
 from ..spiral import between
-from ..starts import Start, candidates
+from ..start import Start
+from ..starts import candidates
 from ..stroke_runs import Run, runs_of, unit
 from ..strokes import Stroke, strokes_between, strokes_of
 

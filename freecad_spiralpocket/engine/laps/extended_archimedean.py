@@ -45,7 +45,7 @@ from ..polyline import points_at
 from ..routing import LongWays
 from ..shaping import largest, oriented
 from ..skeleton import Skeleton, medial_axis
-from ..starts import Start
+from ..start import Start
 from ..stroke_runs import runs_of
 from ..strokes import Stroke, strokes_of
 

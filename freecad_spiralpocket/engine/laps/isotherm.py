@@ -62,7 +62,7 @@ from ..nested import SPACING, Lap, Mover, path_through
 from ..poisson import HeatField
 from ..shaping import oriented
 from ..skeleton import medial_axis
-from ..starts import slot_bite
+from ..start import slot_bite
 from .closing import corner_fillet
 
 #: Steps of the search for the next isotherm. It begins with this share of the temperature left, and

@@ -41,7 +41,8 @@ from ..splines import (
     sample_beziers,
     spiral_beziers,
 )
-from ..starts import leaves_no_post, slot_bite
+from ..start import slot_bite
+from ..starts import leaves_no_post
 from .closing import closing_passes, rounded_inside, wall_inset
 
 #: Fillet radius of the rounded wall over the step-over at first; halved while it takes more than
