@@ -54,6 +54,8 @@ FAR = 3.0
 SPACING, SOFT = 0.12, 0.4
 #: Samples of a moved front that matter less than this are left out [mm].
 STRAIGHT = 0.0005
+#: Points of a front that matter less than this are left out [mm].
+FLAT = 0.002
 #: Growth ends when a step adds less than this share of the last stroke's area.
 STALLED = 0.02
 #: A stroke before a corner is not worth its link that cuts less than this over the step-over.
@@ -147,7 +149,7 @@ def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
         moved = shapely.union(moved, grow_coarsely(visited, least))
     closed = without_kinks(moved, visited, omega, rules)
     grown = _filleted(shapely.intersection(closed, omega), rules.fillet, omega)
-    front = simplified_region(largest(shapely.union(grown, visited)), 0.002)
+    front = simplified_region(largest(shapely.union(grown, visited)), FLAT)
     # a tiny hole beside the rim may come to lie outside
     return front if front.is_valid else largest(shapely.make_valid(front))
 

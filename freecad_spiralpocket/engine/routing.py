@@ -124,10 +124,12 @@ class LongWays:
     def _along(self, way: LineString, end: Floats, arriving: Floats) -> Floats | None:
         """Return a free curve near a way, tangent at both ends; None if none is free."""
         found = None
-        for share in SPACINGS:
-            handle = min(share * self._radius, way.length / 3) / 2
+        spacings = self._radius * np.array(SPACINGS)
+        pieces = np.maximum(2, np.ceil(way.length / spacings)).astype(int).tolist()
+        for spacing, count in zip(spacings, pieces, strict=True):
+            handle = min(spacing, way.length / 3) / 2
             ends = [(handle * self._heading[None], handle * arriving[None])]
-            found = next(self._free_curves(way, share, end, ends), None)
+            found = next(self._free_curves(way, count, end, ends), None)
             if found is not None:
                 break
         if found is None or tightest_bend(found) >= self._least_radius:
@@ -137,8 +139,8 @@ class LongWays:
             for leaving in _turns(self._heading, self._radius)
             for reaching in _turns(arriving, self._radius)
         ]
-        for share in SPACINGS:
-            smooth = next(self._free_curves(way, share, end, turns, self._least_radius), None)
+        for count in dict.fromkeys(pieces):  # short ways have the same again and again
+            smooth = next(self._free_curves(way, count, end, turns, self._least_radius), None)
             if smooth is not None:
                 return smooth
         return found
@@ -146,7 +148,7 @@ class LongWays:
     def _free_curves(
         self,
         way: LineString,
-        share: float,
+        pieces: int,
         end: Floats,
         turns: Sequence[tuple[Floats, Floats]],
         least_radius: float = 0.0,
@@ -156,8 +158,8 @@ class LongWays:
         Parameters
         ----------
         way : shapely.LineString
-        share : float
-            Distance of control points along it, over R.
+        pieces : int
+            Into so many the control points part it.
         end : ndarray of shape (2,)
         turns : sequence of pair of ndarray of shape (k, 2)
             What is added to the start, and taken away from the end backwards, for the control
@@ -165,7 +167,6 @@ class LongWays:
         least_radius : float
             [mm]
         """
-        pieces = max(2, int(np.ceil(way.length / (share * self._radius))))
         places = np.linspace(0, 1, pieces + 1)[1:-1]
         middle = shapely.get_coordinates(
             shapely.line_interpolate_point(way, places, normalized=True)

@@ -88,8 +88,9 @@ def slot_path(slot: Slot, down: Descent) -> Floats:
     points = np.zeros((len(s), 2))
     for number, coords in enumerate(np.concatenate([lines, lines[:, :1]], axis=1)):
         share = np.maximum(1 - np.abs(line - number), 0.0)
-        beside = [np.interp(s % length, corners, column) for column in coords.T]
-        points += share[:, None] * np.column_stack(beside)
+        on = np.flatnonzero(share)
+        beside = [np.interp(s[on] % length, corners, column) for column in coords.T]
+        points[on] += share[on, None] * np.column_stack(beside)
     return np.column_stack([points, heights])
 
 

@@ -15,12 +15,12 @@ from shapely import Polygon
 
 from .floor import Descent, Slot
 from .front_rules import rules_of
-from .fronts import fronts_from
+from .fronts import FLAT, fronts_from
 from .leaving import bends
 from .model import PocketRequest
 from .outline import WIDTH, outline_of
 from .polyline import closed_line, located, points_at
-from .shaping import grow_coarsely, largest, oriented
+from .shaping import grow_coarsely, largest, oriented, simplified_region
 from .skeleton import Skeleton
 from .slot import slot_lead
 from .spiral import BLEND, between
@@ -103,6 +103,8 @@ def _with_stairs(start: Start, request: PocketRequest) -> Start:
         plug = grow_coarsely(Polygon(stairs.inner), -WIDTH * radius)
         around = Polygon(start.visited.exterior)
         visited = oriented(largest(shapely.difference(around, plug)))
+        # as fronts are: full of short chords it takes GEOS up to 0.1 s to grow
+        visited = simplified_region(visited, FLAT)
         fronts = tuple(islice(fronts_from(visited, start.omega, rules), 2))
         if len(fronts) < 2 or leaves_crumbs(stairs, strokes_of(fronts), radius):
             continue

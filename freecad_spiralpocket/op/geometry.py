@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.errors import SelectionError
-from .selection import Floor, outer_wire, wall_rises
+from .selection import Floor, outer_wire
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -147,7 +147,7 @@ def holes(floor: Floor, sag: float) -> list[Polygon]:
 
 def is_island(floor: Floor, wire: Any) -> bool:
     """Return whether a wall rises all along the inner wire `wire`; else it is a hole."""
-    return all(wall_rises(floor.neighbors, floor.face, e) for e in wire.Edges)
+    return all(floor.neighbors.wall_rises(floor.face, e) for e in wire.Edges)
 
 
 def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floats:

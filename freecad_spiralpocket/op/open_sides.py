@@ -18,7 +18,7 @@ from shapely import MultiPoint, Polygon
 
 from ..engine.region import grow, polygons_of
 from . import geometry
-from .selection import Floor, outer_wire, wall_rises
+from .selection import Floor, outer_wire
 from .slices import standing
 
 #: The center goes so far beyond the stock, over R: down there in the air, with some room.
@@ -113,7 +113,7 @@ def lines_of(floor: Floor, sag: float) -> list[list[geometry.Piece]]:
     return [
         geometry.pieces_of(edge, sag)
         for edge in outer_wire(floor.face).Edges
-        if not wall_rises(floor.neighbors, floor.face, edge)
+        if not floor.neighbors.wall_rises(floor.face, edge)
     ]
 
 

@@ -53,6 +53,7 @@ class Neighbors:
         self._at: dict[int, list[int]] = {}
         self._edges: list[list[int]] = []
         self._heights: dict[int, tuple[float, float]] = {}
+        self._rises: dict[tuple[int | None, int], bool] = {}
         for i, face in enumerate(self.faces):
             # the edges of wires in their order come sooner than those of faces, an only wire sooner
             # as the outer one
@@ -73,6 +74,13 @@ class Neighbors:
     def around(self, face: int) -> set[int]:
         """Return the faces at the edges of a face, itself among them."""
         return {other for edge in self._edges[face] for other in self._at[edge]}
+
+    def wall_rises(self, face: Any, edge: Any) -> bool:
+        """Return whether material rises from an edge of a level face."""
+        key = self.number(face), edge.hashCode()
+        if key not in self._rises:
+            self._rises[key] = _wall_rises(self, key[0], face, edge)
+        return self._rises[key]
 
     def heights(self, face: int) -> tuple[float, float]:
         """Return Z of the lowest and of the highest point of a face [mm]."""
@@ -182,8 +190,8 @@ def floor(
         solid, face = whole
         neighbors = Neighbors(solid)
     edges = outer_wire(face).Edges
-    walled = sum(wall_rises(neighbors, face, e) for e in edges)
-    if not walled and not any(wall_rises(neighbors, face, e) for e in face.Edges):
+    walled = sum(neighbors.wall_rises(face, e) for e in edges)
+    if not walled and not any(neighbors.wall_rises(face, e) for e in face.Edges):
         raise SelectionError(
             f"{where} is not the floor of a pocket: no wall rises from it.", _PICK_A_FLOOR
         )
@@ -329,9 +337,8 @@ def outer_wire(face: Any) -> Any:
     return max(face.Wires, key=lambda wire: wire.BoundBox.DiagonalLength)
 
 
-def wall_rises(neighbors: Neighbors, face: Any, edge: Any) -> bool:
-    """Return whether material rises from `edge` of the level face `face`."""
-    own = neighbors.number(face)
+def _wall_rises(neighbors: Neighbors, own: int | None, face: Any, edge: Any) -> bool:
+    """Return whether material rises from `edge` of the level face `face` of number `own`."""
     other = next((n for n in neighbors.at(edge) if n != own), None)
     if other is None:
         return False

@@ -24,7 +24,7 @@ from ..engine.points import signed_area
 from ..engine.region import polygons_of
 from . import geometry
 from .open_sides import OpenSides, lines_of
-from .selection import SAME_HEIGHT, Floor, outer_wire, wall_rises
+from .selection import SAME_HEIGHT, Floor, outer_wire
 from .slices import (
     ABOVE,
     cuts,
@@ -175,7 +175,7 @@ class Walls:
             face
             for wire in wires
             for edge in wire.Edges
-            if wall_rises(neighbors, floor.face, edge)
+            if neighbors.wall_rises(floor.face, edge)
             for face in neighbors.at(edge)
         ]
         front += [number for post in posts if (number := neighbors.number(post)) is not None]
@@ -202,7 +202,7 @@ class Walls:
         higher = (
             e for e in flat.Edges if any(neighbors.heights(f)[1] > z for f in neighbors.at(e))
         )
-        return not any(wall_rises(neighbors, flat, e) for e in higher)
+        return not any(neighbors.wall_rises(flat, e) for e in higher)
 
     def _is_wall(self, wire: Any) -> bool:
         return not self._use_outline or wire.isSame(outer_wire(self._floor.face))

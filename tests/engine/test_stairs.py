@@ -14,13 +14,14 @@ from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon, box
 from shapes import DUMBBELL, L_SHAPE, SQUARE, lifts, request, rounded
 
-from freecad_spiralpocket.engine import plan, wall_slot
+from freecad_spiralpocket.engine import plan, starts, wall_slot
 from freecad_spiralpocket.engine.floor import Descent, Slot, Stairs
 from freecad_spiralpocket.engine.front_rules import WIDEST, rules_of
-from freecad_spiralpocket.engine.fronts import fronts_from
+from freecad_spiralpocket.engine.fronts import FLAT, fronts_from
 from freecad_spiralpocket.engine.laps import automatic
 from freecad_spiralpocket.engine.model import Cutting, Entry, Heights
 from freecad_spiralpocket.engine.polyline import closed_line
+from freecad_spiralpocket.engine.shaping import simplified_region
 from freecad_spiralpocket.engine.slot import slot_path
 from freecad_spiralpocket.engine.stairs import leaves_crumbs, stairs_of
 from freecad_spiralpocket.engine.start import slot_bite
@@ -203,6 +204,15 @@ def test_rectangles_of_any_size_are_cut_whole(wide, high, radius, stepover, dept
     assert report.gouge <= 0.01 and report.link_hit == 0
     assert report.entry_bite <= 1.8 + 1e-6
     assert report.engagement_p99 < report.engagement_limit + math.radians(12)
+
+
+def test_plug_has_no_more_points_than_a_front():
+    asked = request(SQUARE, heights=DEEP)
+    (start,) = (s for s in starts.candidates(region_of(SQUARE), asked) if s.plain)
+    few, count = shapely.get_num_coordinates(
+        [simplified_region(start.visited, FLAT), start.visited]
+    )
+    assert few > 0.95 * count
 
 
 def test_slot_without_stairs_is_only_grown_where_it_may_be_faster(monkeypatch):
