@@ -18,6 +18,8 @@ from numpy.typing import NDArray
 from .distinct import distinct
 from .model import Floats
 
+#: So few pairs of point and place are all measured.
+FEW = 30_000
 #: Places whose distance is measured to all points, to choose the first cells by.
 PROBES = 24
 #: With more points in the nine cells about a place a tree is faster.
@@ -50,13 +52,19 @@ def nearest(
     index = np.zeros(len(places), np.intp)
     if len(places) == 0:
         return found, index
-    size = within if np.isfinite(within) else _typical(points, places)
-    looked = _within_cells(points, places, size, found, index)
-    if not looked or size < within:
-        asking = np.flatnonzero(found > size)
-        tree = shapely.STRtree(shapely.points(points))
-        index[asking] = tree.query_nearest(shapely.points(places[asking]), all_matches=False)[1]
-        found[asking] = np.hypot(*(points[index[asking]] - places[asking]).T)
+    if len(points) * len(places) <= FEW:
+        squares = _squares(points, places)
+        index = squares.argmin(axis=1)
+        found = np.sqrt(squares.min(axis=1))
+    else:
+        size = within if np.isfinite(within) else _typical(points, places)
+        looked = _within_cells(points, places, size, found, index)
+        if not looked or size < within:
+            asking = np.flatnonzero(found > size)
+            tree = shapely.STRtree(shapely.points(points))
+            hits = tree.query_nearest(shapely.points(places[asking]), all_matches=False)
+            index[asking] = hits[1]
+            found[asking] = np.hypot(*(points[index[asking]] - places[asking]).T)
     far = found > within
     found[far], index[far] = np.inf, 0
     return found, index
@@ -65,8 +73,14 @@ def nearest(
 def _typical(points: Floats, places: Floats) -> float:
     """Return how far most places are from the points, about."""
     probes = places[:: max(1, len(places) // PROBES)]
-    square = ((probes[:, None] - points) ** 2).sum(axis=-1).min(axis=1)
-    return 1.01 * float(np.sqrt(np.sort(square)[math.ceil(0.8 * (len(square) - 1))])) + 1e-6
+    least = np.sort(_squares(points, probes).min(axis=1))
+    return 1.01 * math.sqrt(least[math.ceil(0.8 * (len(least) - 1))]) + 1e-6
+
+
+def _squares(points: Floats, places: Floats) -> Floats:
+    """Return the square of the distance of each place to each point, shape (k, n) [mm2]."""
+    x, y = (places[:, None, i] - points[:, i] for i in (0, 1))
+    return np.asarray(x * x + y * y)
 
 
 def _within_cells(

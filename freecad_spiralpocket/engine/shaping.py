@@ -93,7 +93,7 @@ def simplified_region(shape: Polygon, tolerance: float) -> Polygon:
     is only done where they do.
     """
     slim = [_simplified_ring(ring, tolerance) for ring in shapely.get_rings(shape)]
-    if min(map(len, slim)) > 3:
+    if min(map(len, slim), default=0) > 3:
         region = Polygon(slim[0], slim[1:])
         if region.is_valid:
             return region

@@ -185,3 +185,4 @@ def test_simplified_region_stays_one_where_rings_would_cross():
     slim = simplified_region(region, 0.1)
     assert slim.is_valid
     assert len(slim.interiors) == 1
+    assert simplified_region(shapely.Polygon(), 0.1).is_empty
