@@ -955,6 +955,10 @@
         <translation>Pfad wird nachgebessert</translation>
     </message>
     <message>
+        <source>Select all faces that make the floor, or refine the part.</source>
+        <translation>Alle Flächen wählen, die den Boden bilden, oder das Teil aufbereiten.</translation>
+    </message>
+    <message>
         <source>Select the floor face of the pocket.</source>
         <translation>Die Bodenfläche der Tasche auswählen.</translation>
     </message>
@@ -1039,8 +1043,8 @@
         <translation>StepOver auf {0} setzen, oder kleiner.</translation>
     </message>
     <message>
-        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>Tolerance auf höchstens {0} mm setzen; üblich sind 0,01 mm.</translation>
+        <source>Set Tolerance to at most {0} mm.</source>
+        <translation>Tolerance auf höchstens {0} mm setzen.</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>
@@ -1165,6 +1169,10 @@
     <message>
         <source>The fit of {0} patches has no solution.</source>
         <translation>Die Anpassung von {0} Kurvenstücken hat keine Lösung.</translation>
+    </message>
+    <message>
+        <source>The floor goes on beyond what is selected; that stays.</source>
+        <translation>Der Boden geht über das Gewählte hinaus weiter; das bleibt stehen.</translation>
     </message>
     <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>

@@ -955,6 +955,10 @@
         <translation>Reparando la trayectoria</translation>
     </message>
     <message>
+        <source>Select all faces that make the floor, or refine the part.</source>
+        <translation>Seleccione todas las caras que forman el fondo, o refine la pieza.</translation>
+    </message>
+    <message>
         <source>Select the floor face of the pocket.</source>
         <translation>Seleccione la cara del fondo de la cajera.</translation>
     </message>
@@ -1039,8 +1043,8 @@
         <translation>Ponga StepOver en {0}, o menos.</translation>
     </message>
     <message>
-        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>Ponga Tolerance a {0} mm como máximo; lo habitual es 0,01 mm.</translation>
+        <source>Set Tolerance to at most {0} mm.</source>
+        <translation>Ponga Tolerance a {0} mm como máximo.</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>
@@ -1165,6 +1169,10 @@
     <message>
         <source>The fit of {0} patches has no solution.</source>
         <translation>El ajuste de {0} tramos de curva no tiene solución.</translation>
+    </message>
+    <message>
+        <source>The floor goes on beyond what is selected; that stays.</source>
+        <translation>El fondo sigue más allá de lo seleccionado; eso queda.</translation>
     </message>
     <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>

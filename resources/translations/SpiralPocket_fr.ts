@@ -955,6 +955,10 @@
         <translation>Réparation du parcours</translation>
     </message>
     <message>
+        <source>Select all faces that make the floor, or refine the part.</source>
+        <translation>Sélectionnez toutes les faces qui forment le fond, ou affinez la pièce.</translation>
+    </message>
+    <message>
         <source>Select the floor face of the pocket.</source>
         <translation>Sélectionnez la face du fond de la poche.</translation>
     </message>
@@ -1039,8 +1043,8 @@
         <translation>Réglez StepOver à {0}, ou moins.</translation>
     </message>
     <message>
-        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>Réglez Tolerance à {0} mm au plus ; 0,01 mm est habituel.</translation>
+        <source>Set Tolerance to at most {0} mm.</source>
+        <translation>Réglez Tolerance à {0} mm au plus.</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>
@@ -1165,6 +1169,10 @@
     <message>
         <source>The fit of {0} patches has no solution.</source>
         <translation>L'ajustement de {0} morceaux de courbe n'a pas de solution.</translation>
+    </message>
+    <message>
+        <source>The floor goes on beyond what is selected; that stays.</source>
+        <translation>Le fond continue au-delà de ce qui est sélectionné ; cela reste.</translation>
     </message>
     <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>

@@ -955,6 +955,10 @@
         <translation>修复刀路</translation>
     </message>
     <message>
+        <source>Select all faces that make the floor, or refine the part.</source>
+        <translation>请选择构成底面的所有面，或精炼零件。</translation>
+    </message>
+    <message>
         <source>Select the floor face of the pocket.</source>
         <translation>请选择型腔底面。</translation>
     </message>
@@ -1039,8 +1043,8 @@
         <translation>请将 StepOver 设为 {0} 或更小。</translation>
     </message>
     <message>
-        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>请将 Tolerance 设为至多 {0} mm；通常为 0.01 mm。</translation>
+        <source>Set Tolerance to at most {0} mm.</source>
+        <translation>请将 Tolerance 设为至多 {0} mm。</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>
@@ -1165,6 +1169,10 @@
     <message>
         <source>The fit of {0} patches has no solution.</source>
         <translation>{0} 段曲线的拟合无解。</translation>
+    </message>
+    <message>
+        <source>The floor goes on beyond what is selected; that stays.</source>
+        <translation>底面延伸到所选范围之外；那部分不加工。</translation>
     </message>
     <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
