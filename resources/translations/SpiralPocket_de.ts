@@ -615,6 +615,10 @@
         <translation>Üblich sind 0,01 mm.</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches all of them.</source>
+        <translation>Ein Fräser unter {0} mm kommt überall hin.</translation>
+    </message>
+    <message>
         <source>A cutter below {0} mm reaches it.</source>
         <translation>Ein Fräser unter {0} mm kommt hin.</translation>
     </message>
@@ -1349,6 +1353,10 @@
     <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>Der {0}-mm-Fräser passt nicht durch die Engstelle von {1} mm bei {at}; dieser Teil ({2} mm2) bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
+        <translation>Der {0}-mm-Fräser passt nicht durch {1} Engstellen von bis zu {2} mm, die breiteste bei {at}; diese Teile ({3} mm2) bleiben stehen.</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

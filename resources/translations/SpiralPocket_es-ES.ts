@@ -615,6 +615,10 @@
         <translation>Lo usual es 0,01 mm.</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches all of them.</source>
+        <translation>Una fresa de menos de {0} mm llega a todas.</translation>
+    </message>
+    <message>
         <source>A cutter below {0} mm reaches it.</source>
         <translation>Una fresa de menos de {0} mm llega.</translation>
     </message>
@@ -1349,6 +1353,10 @@
     <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>La fresa de {0} mm no pasa por el estrecho de {1} mm en {at}; esa parte ({2} mm2) queda sin cortar.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
+        <translation>La fresa de {0} mm no pasa por {1} estrechos de hasta {2} mm, el más ancho en {at}; esas partes ({3} mm2) quedan sin cortar.</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

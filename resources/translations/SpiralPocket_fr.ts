@@ -615,6 +615,10 @@
         <translation>0,01 mm est usuel.</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches all of them.</source>
+        <translation>Une fraise de moins de {0} mm y accède partout.</translation>
+    </message>
+    <message>
         <source>A cutter below {0} mm reaches it.</source>
         <translation>Une fraise de moins de {0} mm y accède.</translation>
     </message>
@@ -1349,6 +1353,10 @@
     <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>La fraise de {0} mm ne passe pas l'étranglement de {1} mm en {at} ; cette partie ({2} mm2) reste non usinée.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
+        <translation>La fraise de {0} mm ne passe pas {1} étranglements, larges de {2} mm au plus, le plus large en {at} ; ces parties ({3} mm2) restent non usinées.</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

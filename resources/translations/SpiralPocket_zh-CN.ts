@@ -615,6 +615,10 @@
         <translation>通常为 0.01 mm。</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches all of them.</source>
+        <translation>小于 {0} mm 的刀具可到达所有这些部分。</translation>
+    </message>
+    <message>
         <source>A cutter below {0} mm reaches it.</source>
         <translation>小于 {0} mm 的刀具可到达。</translation>
     </message>
@@ -1349,6 +1353,10 @@
     <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>{0} mm 刀具通不过 {at} 处 {1} mm 的窄颈；该部分（{2} mm2）未切除。</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
+        <translation>{0} mm 刀具通不过 {1} 处窄颈（最宽 {2} mm，位于 {at}）；这些部分（{3} mm2）未切除。</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
