@@ -307,7 +307,9 @@ def _hint_for(now: Any) -> str:
         return "Give True or False."
     if isinstance(now, FreeCAD.Vector):
         return "Give three numbers, (x, y, z)."
-    return "Give a text." if isinstance(now, str) else "Give a number or a text with a unit."
+    if isinstance(now, str):
+        return "Give a text."
+    return "Give a number." if isinstance(now, float) else "Give a number or a text with a unit."
 
 
 def _raise_failure(op: Any) -> None:

@@ -77,7 +77,7 @@ def _check_tolerance(tolerance: float, diameter: float) -> None:
     if tolerance > COARSEST * diameter:
         raise RequestError(
             f"A tolerance of {tolerance:g} mm is too coarse for this cutter.",
-            f"Set Tolerance to at most {COARSEST * diameter:g} mm; 0.01 mm is usual.",
+            f"Set Tolerance to at most {COARSEST * diameter:g} mm.",
         )
 
 

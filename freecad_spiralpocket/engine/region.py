@@ -28,6 +28,8 @@ LEAST_STEP = 1e-4
 #: A left-over piece that takes a disc of this share of the cutter's radius is told about; the
 #: piece in a square corner takes 0.17.
 TOLD_SHARE = 0.3
+#: More parts than this that the cutter cannot enter are told together.
+TOLD_ONE_BY_ONE = 3
 
 
 def quad_segments(radius: float, sag: float = BUFFER_SAG) -> int:
@@ -126,7 +128,7 @@ def without_hairs(region: Polygon, radius: float) -> list[Polygon]:
 def unreachable_notices(
     pocket: Polygon, regions: list[Polygon], cutter_radius: float, stock: float
 ) -> tuple[Notice, ...]:
-    """Return a notice for each part of the pocket that the cutter cannot enter.
+    """Return a notice for each part of the pocket that the cutter cannot enter, one for many.
 
     Parameters
     ----------
@@ -138,19 +140,31 @@ def unreachable_notices(
     """
     target = grow(pocket, -stock) if stock else pocket
     reached = grow(MultiPolygon(regions), cutter_radius)
-    notices = []
+    left = []
     least = math.pi * (TOLD_SHARE * cutter_radius) ** 2
     for piece in polygons_of(shapely.difference(target, reached)):
         if piece.area < least:  # no such disc fits
             continue
         place, radius = widest_disc(piece)
         if radius > TOLD_SHARE * cutter_radius:
-            notices.append(
-                Notice(
-                    f"The {2 * cutter_radius:g} mm cutter does not fit the {2 * radius:.3g} mm "
-                    f"neck at {{at}}; that part ({piece.area:.0f} mm2) stays uncut.",
-                    f"A cutter below {2 * radius:.3g} mm reaches it.",
-                    place,
-                )
-            )
-    return tuple(notices)
+            left.append((radius, place, piece.area))
+    if len(left) > TOLD_ONE_BY_ONE:
+        radius, place, _ = max(left)
+        return (
+            Notice(
+                f"The {2 * cutter_radius:g} mm cutter does not fit {len(left)} necks, up to "
+                f"{2 * radius:.3g} mm wide, the widest at {{at}}; these parts "
+                f"({sum(area for *_, area in left):.0f} mm2) stay uncut.",
+                f"A cutter below {2 * min(left)[0]:.3g} mm reaches all of them.",
+                place,
+            ),
+        )
+    return tuple(
+        Notice(
+            f"The {2 * cutter_radius:g} mm cutter does not fit the {2 * radius:.3g} mm "
+            f"neck at {{at}}; that part ({area:.0f} mm2) stays uncut.",
+            f"A cutter below {2 * radius:.3g} mm reaches it.",
+            place,
+        )
+        for radius, place, area in left
+    )

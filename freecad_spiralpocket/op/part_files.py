@@ -18,6 +18,7 @@ from FreeCAD import Vector
 
 from ..engine.errors import SetupError
 from .compat import PathJob
+from .solids import closed
 
 SHAPE_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 #: Material around and below the pocket of an outline [mm].
@@ -89,12 +90,8 @@ def block(outer: Any, holes: Any, depth: float) -> Any:
 
 def solid(shape: Any) -> Any:
     """Return `shape`, sewn to solids if it consists of faces only, as IGES files do."""
-    if shape.Solids:
-        return shape
-    sewn = shape.copy()
-    sewn.sewShape()
-    closed = [Part.Solid(shell) for shell in sewn.Shells if shell.isClosed()]
-    return Part.Compound(closed) if closed else shape
+    found = [] if shape.Solids else closed(shape)
+    return Part.Compound(found) if found else shape
 
 
 def find_job(document: Any) -> Any:

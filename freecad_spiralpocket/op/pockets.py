@@ -15,6 +15,7 @@ from ..engine.errors import SpiralPocketError, named
 from ..engine.model import Notice, Plan, PocketRequest, Progress
 from . import commands, open_sides, remarks, request, rest, seams, sections, selection, walls
 from .compat import parent_job
+from .solids import solids_of
 
 #: Share of the operation's tolerance that goes into the chords of curved walls; the rest is
 #: for the path.
@@ -66,6 +67,7 @@ class Pockets:
         self.plans: list[Plan] = []
         shapes = (getattr(model, "Shape", None) for model in parent_job(obj).Model.Group)
         self._shapes = [shape for shape in shapes if shape is not None and not shape.isNull()]
+        self._solids = [s for shape in self._shapes for s in solids_of(shape, self._known)]
         groups = seams.groups(selection.selected(obj.Base))
         self._selected = [floor for group in groups for floor in self._floors_of(*group)]
 
@@ -197,7 +199,7 @@ class Pockets:
                 sag,
                 use_outline=self._obj.UseOutline,
                 open_sides=beyond,
-                others=selection.others(floor, (s for shape in shapes for s in shape.Solids)),
+                others=selection.others(floor, self._solids),
             )
         above = self._known[key]
         depth = request.final_depth(self._obj, floor.z, self._deepest)
@@ -223,7 +225,7 @@ class Pockets:
             self._known[key] = open_sides.OpenSides(
                 floor,
                 sag,
-                solids=[solid for shape in shapes for solid in shape.Solids],
+                solids=self._solids,
                 stock=stock,
                 cutter_radius=radius,
                 stock_to_leave=left,
@@ -243,6 +245,8 @@ class Pockets:
     def _remarks_on(self, floor: selection.Floor, wanted: PocketRequest) -> list[Notice]:
         """Return what is to be told of one pocket, whatever comes of its plan."""
         found = remarks.depths(wanted, floor.z, self._obj)
+        if floor.goes_on:
+            found.append(remarks.goes_on())
         if floor.open_edges:
             found.append(remarks.open_sides(wanted))
         overhung = self._overhung[id(floor)]

@@ -8,7 +8,7 @@ from typing import Any
 from ..engine.model import Notice, PocketRequest
 from .compat import parent_job
 from .rest import operations_before
-from .selection import SAME_HEIGHT
+from .selection import PICK_ALL, SAME_HEIGHT
 
 #: A smaller share of a pocket that was cleared before is none.
 LEAST_SHARE = 0.001
@@ -124,6 +124,11 @@ def open_sides(wanted: PocketRequest) -> Notice:
         "The pocket is open at a side; the cutter runs out of it there.",
         "Keep clamps away from that side, or unset ExtendOpenSides.",
     )
+
+
+def goes_on() -> Notice:
+    """Tell that only a part of a floor is selected."""
+    return Notice("The floor goes on beyond what is selected; that stays.", PICK_ALL)
 
 
 def overhang(area: float) -> Notice:

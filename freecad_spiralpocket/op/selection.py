@@ -23,6 +23,7 @@ from ..engine.errors import SelectionError, SetupError
 from . import seams
 from .compat import STALE_ELEMENT_ERRORS, PathUtil
 from .seams import SAME_HEIGHT
+from .solids import solids_of
 
 #: A floor may be out of level by this much [rad]: drawings are exact, IGES files are not.
 LEVEL_TOLERANCE = 1e-4
@@ -34,6 +35,8 @@ SAME_VOLUME = 1e-6
 _ASIDE = 1e-3
 
 _PICK_A_FLOOR = "Select the floor of the pocket, a flat level face with walls around it."
+#: Where seams part a floor.
+PICK_ALL = "Select all faces that make the floor, or refine the part."
 
 
 class Neighbors:
@@ -105,6 +108,8 @@ class Floor:
         Height of the floor [mm].
     open_edges : int
         How many edges of the outline have no wall.
+    goes_on : bool
+        Whether another face of the solid carries it on beyond its outline.
     neighbors : Neighbors
         Of the solid.
     """
@@ -115,6 +120,7 @@ class Floor:
     solid: Any
     z: float
     open_edges: int
+    goes_on: bool
     neighbors: Neighbors
 
     @property
@@ -150,7 +156,7 @@ def selected(base: list[tuple[Any, Any]]) -> list[tuple[Any, str]]:
 def floor(
     model: Any,
     names: str | Sequence[str],
-    known: dict[int, Neighbors] | None = None,
+    known: dict[Any, Any] | None = None,
     shape: Any = None,
 ) -> Floor:
     """Return the floor that one face of `model` is, or several that meet.
@@ -160,7 +166,7 @@ def floor(
     model : object
     names : str or sequence of str
     known : dict, optional
-        Neighbors of solids by their hash code; is added to.
+        Neighbors of solids by their hash code, and solids of shapes; is added to.
     shape : object, optional
         The model's, fetched before: that of a link or a group is another one each time.
 
@@ -178,8 +184,13 @@ def floor(
         if face.ShapeType != "Face":
             raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
         _check_level(face, where)
+    solid, neighbors = _solid_of(shape, faces[0], where, known)
+    faces = [_same_face(neighbors, face) or face for face in faces]
     face = faces[0]
-    solid, neighbors = _solid_of(shape, face, where, known)
+    if _normal_of_plane(face).z < 0:
+        raise SelectionError(
+            f"{where} looks down.", "Select the floor of the pocket, or turn the part over."
+        )
     if len(faces) > 1:
         whole = seams.joined(solid, faces)
         if whole is None:
@@ -190,13 +201,16 @@ def floor(
         solid, face = whole
         neighbors = Neighbors(solid)
     edges = outer_wire(face).Edges
+    z = face.BoundBox.ZMin
     walled = sum(neighbors.wall_rises(face, e) for e in edges)
+    goes_on = any(_goes_on(neighbors, face, z, e) for e in edges)
     if not walled and not any(neighbors.wall_rises(face, e) for e in face.Edges):
         raise SelectionError(
-            f"{where} is not the floor of a pocket: no wall rises from it.", _PICK_A_FLOOR
+            f"{where} is not the floor of a pocket: no wall rises from it.",
+            PICK_ALL if goes_on else _PICK_A_FLOOR,
         )
     open_edges = len(edges) - walled
-    return Floor(model, ", ".join(names), face, solid, face.BoundBox.ZMin, open_edges, neighbors)
+    return Floor(model, ", ".join(names), face, solid, z, open_edges, goes_on, neighbors)
 
 
 def heights(base: list[tuple[Any, Any]]) -> list[float]:
@@ -294,10 +308,6 @@ def _check_level(face: Any, where: str) -> None:
         raise SelectionError(f"{where} is vertical: it is a wall, not a floor.", _PICK_A_FLOOR)
     if abs(normal.z) < 1 - LEVEL_TOLERANCE**2 / 2:
         raise SelectionError(f"{where} is not level.", _PICK_A_FLOOR)
-    if normal.z < 0:
-        raise SelectionError(
-            f"{where} looks down.", "Select the floor of the pocket, or turn the part over."
-        )
 
 
 def _normal_of_plane(face: Any) -> Any:
@@ -308,23 +318,41 @@ def _normal_of_plane(face: Any) -> Any:
     return face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
 
 
-def _solid_of(
-    shape: Any, face: Any, where: str, known: dict[int, Neighbors]
-) -> tuple[Any, Neighbors]:
-    """Return the closed solid that `face` bounds, and the neighbors in it."""
-    for solid in shape.Solids:
-        key = solid.hashCode()
-        if key not in known:
-            known[key] = Neighbors(solid)
-        if known[key].number(face) is None:
-            continue
-        if all(shell.isClosed() for shell in solid.Shells):
-            return solid, known[key]
-        break
+def _solid_of(shape: Any, face: Any, where: str, known: dict[Any, Any]) -> tuple[Any, Neighbors]:
+    """Return the closed solid that a level face bounds, and the neighbors in it."""
+    solids = solids_of(shape, known)
+    for is_its in (_is_in, _same_face):  # sewing makes new faces
+        for solid in solids:
+            key = solid.hashCode()
+            if key not in known:
+                known[key] = Neighbors(solid)
+            if is_its(known[key], face) and all(shell.isClosed() for shell in solid.Shells):
+                return solid, known[key]
     raise SelectionError(
         f"The part with {where} is an open shell, not a closed solid.",
         "Close it first (Part workbench, Check Geometry and Convert to Solid).",
     )
+
+
+def _is_in(neighbors: Neighbors, face: Any) -> bool:
+    return neighbors.number(face) is not None
+
+
+def _same_face(neighbors: Neighbors, face: Any) -> Any:
+    """Return the face of a solid that is at the place of a level face, None if there is none."""
+    number = neighbors.number(face)
+    if number is not None:
+        return neighbors.faces[number]
+    z, center, area = face.BoundBox.ZMin, face.CenterOfMass, face.Area
+    for number, other in enumerate(neighbors.faces):
+        low, high = neighbors.heights(number)
+        if (
+            max(abs(low - z), abs(high - z)) < SAME_HEIGHT
+            and other.CenterOfMass.isEqual(center, SAME_HEIGHT)
+            and abs(other.Area - area) <= SAME_HEIGHT * area
+        ):
+            return other
+    return None
 
 
 def outer_wire(face: Any) -> Any:
@@ -360,6 +388,13 @@ def _wall_rises(neighbors: Neighbors, own: int | None, face: Any, edge: Any) -> 
     if abs(lean) > _TANGENT:
         return lean > 0
     return bool(above)
+
+
+def _goes_on(neighbors: Neighbors, face: Any, z: float, edge: Any) -> bool:
+    """Return whether another level face at Z `z` begins at an edge of the level face `face`."""
+    own = neighbors.number(face)
+    others = (neighbors.heights(number) for number in neighbors.at(edge) if number != own)
+    return any(max(abs(low - z), abs(high - z)) < SAME_HEIGHT for low, high in others)
 
 
 def find_floors(model: Any) -> Iterator[Floor]:

@@ -615,6 +615,10 @@
         <translation>Üblich sind 0,01 mm.</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches all of them.</source>
+        <translation>Ein Fräser unter {0} mm kommt überall hin.</translation>
+    </message>
+    <message>
         <source>A cutter below {0} mm reaches it.</source>
         <translation>Ein Fräser unter {0} mm kommt hin.</translation>
     </message>
@@ -955,6 +959,10 @@
         <translation>Pfad wird nachgebessert</translation>
     </message>
     <message>
+        <source>Select all faces that make the floor, or refine the part.</source>
+        <translation>Alle Flächen wählen, die den Boden bilden, oder das Teil aufbereiten.</translation>
+    </message>
+    <message>
         <source>Select the floor face of the pocket.</source>
         <translation>Die Bodenfläche der Tasche auswählen.</translation>
     </message>
@@ -1039,8 +1047,8 @@
         <translation>StepOver auf {0} setzen, oder kleiner.</translation>
     </message>
     <message>
-        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>Tolerance auf höchstens {0} mm setzen; üblich sind 0,01 mm.</translation>
+        <source>Set Tolerance to at most {0} mm.</source>
+        <translation>Tolerance auf höchstens {0} mm setzen.</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>
@@ -1165,6 +1173,10 @@
     <message>
         <source>The fit of {0} patches has no solution.</source>
         <translation>Die Anpassung von {0} Kurvenstücken hat keine Lösung.</translation>
+    </message>
+    <message>
+        <source>The floor goes on beyond what is selected; that stays.</source>
+        <translation>Der Boden geht über das Gewählte hinaus weiter; das bleibt stehen.</translation>
     </message>
     <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
@@ -1341,6 +1353,10 @@
     <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>Der {0}-mm-Fräser passt nicht durch die Engstelle von {1} mm bei {at}; dieser Teil ({2} mm2) bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
+        <translation>Der {0}-mm-Fräser passt nicht durch {1} Engstellen von bis zu {2} mm, die breiteste bei {at}; diese Teile ({3} mm2) bleiben stehen.</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

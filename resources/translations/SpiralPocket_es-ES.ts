@@ -615,6 +615,10 @@
         <translation>Lo usual es 0,01 mm.</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches all of them.</source>
+        <translation>Una fresa de menos de {0} mm llega a todas.</translation>
+    </message>
+    <message>
         <source>A cutter below {0} mm reaches it.</source>
         <translation>Una fresa de menos de {0} mm llega.</translation>
     </message>
@@ -955,6 +959,10 @@
         <translation>Reparando la trayectoria</translation>
     </message>
     <message>
+        <source>Select all faces that make the floor, or refine the part.</source>
+        <translation>Seleccione todas las caras que forman el fondo, o refine la pieza.</translation>
+    </message>
+    <message>
         <source>Select the floor face of the pocket.</source>
         <translation>Seleccione la cara del fondo de la cajera.</translation>
     </message>
@@ -1039,8 +1047,8 @@
         <translation>Ponga StepOver en {0}, o menos.</translation>
     </message>
     <message>
-        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>Ponga Tolerance a {0} mm como máximo; lo habitual es 0,01 mm.</translation>
+        <source>Set Tolerance to at most {0} mm.</source>
+        <translation>Ponga Tolerance a {0} mm como máximo.</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>
@@ -1165,6 +1173,10 @@
     <message>
         <source>The fit of {0} patches has no solution.</source>
         <translation>El ajuste de {0} tramos de curva no tiene solución.</translation>
+    </message>
+    <message>
+        <source>The floor goes on beyond what is selected; that stays.</source>
+        <translation>El fondo sigue más allá de lo seleccionado; eso queda.</translation>
     </message>
     <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
@@ -1341,6 +1353,10 @@
     <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>La fresa de {0} mm no pasa por el estrecho de {1} mm en {at}; esa parte ({2} mm2) queda sin cortar.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
+        <translation>La fresa de {0} mm no pasa por {1} estrechos de hasta {2} mm, el más ancho en {at}; esas partes ({3} mm2) quedan sin cortar.</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

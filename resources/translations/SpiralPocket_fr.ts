@@ -615,6 +615,10 @@
         <translation>0,01 mm est usuel.</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches all of them.</source>
+        <translation>Une fraise de moins de {0} mm y accède partout.</translation>
+    </message>
+    <message>
         <source>A cutter below {0} mm reaches it.</source>
         <translation>Une fraise de moins de {0} mm y accède.</translation>
     </message>
@@ -955,6 +959,10 @@
         <translation>Réparation du parcours</translation>
     </message>
     <message>
+        <source>Select all faces that make the floor, or refine the part.</source>
+        <translation>Sélectionnez toutes les faces qui forment le fond, ou affinez la pièce.</translation>
+    </message>
+    <message>
         <source>Select the floor face of the pocket.</source>
         <translation>Sélectionnez la face du fond de la poche.</translation>
     </message>
@@ -1039,8 +1047,8 @@
         <translation>Réglez StepOver à {0}, ou moins.</translation>
     </message>
     <message>
-        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>Réglez Tolerance à {0} mm au plus ; 0,01 mm est habituel.</translation>
+        <source>Set Tolerance to at most {0} mm.</source>
+        <translation>Réglez Tolerance à {0} mm au plus.</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>
@@ -1165,6 +1173,10 @@
     <message>
         <source>The fit of {0} patches has no solution.</source>
         <translation>L'ajustement de {0} morceaux de courbe n'a pas de solution.</translation>
+    </message>
+    <message>
+        <source>The floor goes on beyond what is selected; that stays.</source>
+        <translation>Le fond continue au-delà de ce qui est sélectionné ; cela reste.</translation>
     </message>
     <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
@@ -1341,6 +1353,10 @@
     <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>La fraise de {0} mm ne passe pas l'étranglement de {1} mm en {at} ; cette partie ({2} mm2) reste non usinée.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
+        <translation>La fraise de {0} mm ne passe pas {1} étranglements, larges de {2} mm au plus, le plus large en {at} ; ces parties ({3} mm2) restent non usinées.</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

@@ -615,6 +615,10 @@
         <translation>通常为 0.01 mm。</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches all of them.</source>
+        <translation>小于 {0} mm 的刀具可到达所有这些部分。</translation>
+    </message>
+    <message>
         <source>A cutter below {0} mm reaches it.</source>
         <translation>小于 {0} mm 的刀具可到达。</translation>
     </message>
@@ -955,6 +959,10 @@
         <translation>修复刀路</translation>
     </message>
     <message>
+        <source>Select all faces that make the floor, or refine the part.</source>
+        <translation>请选择构成底面的所有面，或精炼零件。</translation>
+    </message>
+    <message>
         <source>Select the floor face of the pocket.</source>
         <translation>请选择型腔底面。</translation>
     </message>
@@ -1039,8 +1047,8 @@
         <translation>请将 StepOver 设为 {0} 或更小。</translation>
     </message>
     <message>
-        <source>Set Tolerance to at most {0} mm; 0.01 mm is usual.</source>
-        <translation>请将 Tolerance 设为至多 {0} mm；通常为 0.01 mm。</translation>
+        <source>Set Tolerance to at most {0} mm.</source>
+        <translation>请将 Tolerance 设为至多 {0} mm。</translation>
     </message>
     <message>
         <source>Set all depths and heights.</source>
@@ -1165,6 +1173,10 @@
     <message>
         <source>The fit of {0} patches has no solution.</source>
         <translation>{0} 段曲线的拟合无解。</translation>
+    </message>
+    <message>
+        <source>The floor goes on beyond what is selected; that stays.</source>
+        <translation>底面延伸到所选范围之外；那部分不加工。</translation>
     </message>
     <message>
         <source>The heights are upside down: clearance {0} mm, safe {1} mm, start depth {2} mm.</source>
@@ -1341,6 +1353,10 @@
     <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>{0} mm 刀具通不过 {at} 处 {1} mm 的窄颈；该部分（{2} mm2）未切除。</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
+        <translation>{0} mm 刀具通不过 {1} 处窄颈（最宽 {2} mm，位于 {at}）；这些部分（{3} mm2）未切除。</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

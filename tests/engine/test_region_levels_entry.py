@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 from shapely import GeometryCollection, LineString, MultiPolygon, Point, box
@@ -64,6 +65,20 @@ def test_neck_that_the_cutter_cannot_pass_is_told_with_its_place():
     (notice,) = unreachable_notices(pocket, regions, 3.0, 0.0)
     assert "5.8 mm neck" in str(notice)
     assert 30 < notice.place[0] < 60 and abs(notice.place[1] - 14.9) < 0.5
+
+
+@pytest.mark.parametrize(("arms", "notices"), [(3, 3), (4, 1), (9, 1)])
+def test_many_necks_are_told_together(arms, notices):
+    widths = [5.0 - 0.2 * i for i in range(arms)]
+    parts = [box(10.0 * i, -20, 10.0 * i + w, 1) for i, w in enumerate(widths)]
+    pocket = shapely.union_all([box(-1, 0, 100, 20), *parts])
+    told = unreachable_notices(pocket, center_regions(pocket, 3.0, 0.0), 3.0, 0.0)
+    assert len(told) == notices
+    if notices == 1:
+        text = str(told[0])
+        assert f"{arms} necks" in text
+        assert 0 <= told[0].place[0] <= widths[0]  # the widest
+        assert float(text.split("below ")[1].split()[0]) <= min(widths) + 0.1
 
 
 def test_corners_are_nobodys_news():

@@ -248,6 +248,19 @@ def test_a_floor_cut_by_seams_is_one_pocket(doc):
     # one half alone ends at the seam
     half = api.add_spiral_pocket(job, [(part, faces[:1])], **QUICK)
     assert any("open at a side" in notice for notice in half.Notices)
+    assert any("The floor goes on" in notice for notice in half.Notices)
+    assert not any("The floor goes on" in notice for notice in op.Notices)
+
+
+def test_a_part_of_a_floor_without_walls_asks_for_all_of_it(doc):
+    whole = block(area(rectangle(24, 18, 4)))
+    box = whole.BoundBox
+    middle = Part.makeBox(4, 4, box.ZLength, Vector(box.Center.x, box.Center.y, box.ZMin))
+    part = add_part(doc, whole.cut(middle).fuse(whole.common(middle)).Solids[0])
+    job = add_job(doc, part)
+    inner = min(faces_at(part.Shape, -DEPTH), key=lambda name: part.Shape.getElement(name).Area)
+    with pytest.raises(SelectionError, match="no wall rises from it.*all faces that make"):
+        api.add_spiral_pocket(job, [(part, [inner])], **QUICK)
 
 
 def test_floors_are_found_the_highest_first(doc):

@@ -175,6 +175,27 @@ def test_a_pocket_open_at_a_side_says_so(doc):
     assert floor_of(doc, shape).open_edges == 1
 
 
+UNUSUAL_PARTS = {
+    "closed shell": lambda solid: solid.Shells[0],
+    "loose faces": lambda solid: Part.Compound([face.copy() for face in solid.Faces]),
+    "loose faces that look anywhere": lambda solid: Part.Compound(
+        [face.copy().reversed() if n % 2 else face.copy() for n, face in enumerate(solid.Faces)]
+    ),
+    "inside out": lambda solid: solid.reversed(),
+}
+
+
+@pytest.mark.parametrize("part", UNUSUAL_PARTS.values(), ids=UNUSUAL_PARTS.keys())
+def test_a_closed_part_need_not_be_a_solid(doc, part):
+    solid = block(area(rectangle(50, 30, 6), circle(6, 20, 15)))
+    shape = part(solid)
+    floors = [i for i, f in enumerate(shape.Faces) if f.BoundBox.ZMax == pytest.approx(-DEPTH)]
+    floor = selection.floor(add_part(doc, shape), f"Face{floors[0] + 1}")
+    assert not floor.open_edges and floor.face.normalAt(0, 0).z > 0 and floor.solid.isClosed()
+    expected = geometry.polygon(floor_of(doc, solid), SAG)
+    assert shapely.symmetric_difference(geometry.polygon(floor, SAG), expected).area < ROUNDING
+
+
 def test_find_floors_finds_closed_pockets_only(doc):
     import Part
 

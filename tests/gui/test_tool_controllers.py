@@ -25,12 +25,17 @@ from freecad_spiralpocket.op.compat import IS_LEGACY, PathToolController, add_to
 if IS_LEGACY:
     from PathScripts import PathToolBit
 else:
-    from Path.Tool.toolbit import ToolBit
+    try:
+        from Path.Tool.toolbit import ToolBit
+
+        PathToolBit = None
+    except ImportError:  # 1.0
+        import Path.Tool.Bit as PathToolBit
 
 
 def add_drill(job):
     """Add a tool controller with a drill to a job."""
-    if IS_LEGACY:
+    if PathToolBit:
         drill = PathToolBit.Factory.Create("Drill", PathToolBit.findToolShape("drill.fcstd"))
     else:
         drill = ToolBit.from_shape_id("drill.fcstd").attach_to_doc(doc=job.Document)
