@@ -175,14 +175,12 @@ class _Spirals:
 
     def widest(self, exterior: bool) -> float:
         """Return how far the next lap may be for a spiral to go on to it [mm]."""
-        if exterior:
-            return WIDEST * self.stepover
-        return min(WIDEST_INWARDS * self.stepover, WITHOUT_CUSPS * self.radius)
+        return _widest(exterior, self.radius, self.stepover)
 
     def _beginnings(self, first: Stroke, lap: LineString) -> tuple[LineString, Floats, int]:
         """Return on which line a spiral begins, where along it, and how many of these are spare."""
         size, widest = self.size, self.widest(first.exterior)
-        if first.level == 1 and _begins_on(self.ring, lap, first.exterior, size, widest):
+        if begins_on(self.ring, first, self.radius, self.stepover):
             return self.ring, np.zeros(1), 0
         before = self.fronts[first.level - 1]
         rings = [before.exterior, *before.interiors]
@@ -262,16 +260,32 @@ def _taken_by(laps: Sequence[Stroke], fronts: Sequence[Polygon], radius: float) 
     return stock
 
 
-def _begins_on(
-    ring: LineString, lap: LineString, exterior: bool, radius: float, widest: float
-) -> bool:
+def begins_on(ring: LineString, stroke: Stroke, radius: float, stepover: float) -> bool:
     """Return whether a lap of the first level may be begun where the entry ends.
 
     Not so where the entry ends in a notch of an island, which the lap passes by.
+
+    Parameters
+    ----------
+    ring : LineString
+        The entry's last lap, closed, from where the entry ends.
+    stroke : Stroke
+    radius, stepover : float
+        [mm]
     """
-    if exterior:
+    if stroke.level != 1 or not stroke.closed:
+        return False
+    lap, widest = closed_line(stroke.points), _widest(stroke.exterior, radius, stepover)
+    if stroke.exterior:
         widest *= LEFT_BEHIND
-    return bool(gaps(ring, lap, np.zeros(1), zone_length(ring, lap, radius))[0] <= widest)
+    zone = zone_length(ring, lap, zone_size(radius, stepover))
+    return bool(gaps(ring, lap, np.zeros(1), zone)[0] <= widest)
+
+
+def _widest(exterior: bool, radius: float, stepover: float) -> float:
+    if exterior:
+        return WIDEST * stepover
+    return min(WIDEST_INWARDS * stepover, WITHOUT_CUSPS * radius)
 
 
 def unit(v: Floats) -> Floats:

@@ -26,6 +26,7 @@ from .slot import slot_lead
 from .spiral import BLEND, between
 from .stairs import leaves_crumbs, stairs_of
 from .start import Start, slot_bite
+from .stroke_runs import begins_on
 from .strokes import strokes_of
 
 #: A spiral begins beside a middle of the plug: where there is this share of the most room.
@@ -106,13 +107,18 @@ def _with_stairs(start: Start, request: PocketRequest) -> Start:
         # as fronts are: full of short chords it takes GEOS up to 0.1 s to grow
         visited = simplified_region(visited, FLAT)
         fronts = tuple(islice(fronts_from(visited, start.omega, rules), 2))
-        if len(fronts) < 2 or leaves_crumbs(stairs, strokes_of(fronts), radius):
+        ring = closed_line(np.vstack([stairs.inner[:1], stairs.inner[:0:-1]]))
+        laps = strokes_of(fronts)
+        if not laps or leaves_crumbs(stairs, laps, radius):
             continue
+        # nothing else leads onto what the stairs leave on the floor
+        if not any(begins_on(ring, lap, radius, request.cutting.stepover) for lap in laps):
+            break
         return replace(
             start,
             visited=visited,
             entry=replace(slot, ring=stairs.lines[-1], stairs=stairs),
-            ring=closed_line(np.vstack([stairs.inner[:1], stairs.inner[:0:-1]])),
+            ring=ring,
             plain=start,
             is_sure=saved > SURE,
             fronts=fronts,

@@ -11,7 +11,7 @@ import pytest
 import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from shapely import LineString, Point, Polygon, box
+from shapely import LineString, Point, Polygon, box, union_all
 from shapes import DUMBBELL, L_SHAPE, SQUARE, lifts, request, rounded
 
 from freecad_spiralpocket.engine import plan, starts, wall_slot
@@ -204,6 +204,21 @@ def test_rectangles_of_any_size_are_cut_whole(wide, high, radius, stepover, dept
     assert report.gouge <= 0.01 and report.link_hit == 0
     assert report.entry_bite <= 1.8 + 1e-6
     assert report.engagement_p99 < report.engagement_limit + math.radians(12)
+
+
+def test_no_stairs_where_no_lap_begins_at_their_end():
+    """Their floor is not clear: at a fine step-over the first lap begins far from a corner."""
+    pocket = union_all([box(0, 0, 120, 25), box(0, 0, 25, 49), box(95, 0, 120, 49)])
+    pocket = rounded(pocket, 5.9)
+    asked = request(
+        pocket,
+        tool_diameter=10.0,
+        cutting=Cutting(1.0),
+        heights=Heights(6.0, 3.0, 1.0, -4.12, 6.0),
+    )
+    made = plan(asked)
+    assert made.report.notices == ()
+    assert lifts(made) == 1
 
 
 def test_plug_has_no_more_points_than_a_front():
