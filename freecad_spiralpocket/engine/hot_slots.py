@@ -37,8 +37,9 @@ SMOOTHING, SHORTEST = 1.0, 1.0
 #: Where a ridge round an island is parted the ends of the slot are so far apart over the step-over,
 #: or over R where rounding would join them.
 PARTED, ROUNDED = 1.2, 1.0
-#: The slot keeps off walls by this over the step-over.
-OFF = 0.3
+#: The slot keeps off walls by one of these over the step-over: the first with which it is nowhere
+#: narrower than the last. In a hairline no grid has nodes, and laps would part it.
+OFFS, HAIRLINE = (0.3, 0.2, 0.1), 0.1
 #: Its corners are rounded by these over R, the first that costs nothing.
 ROUNDINGS = (0.5, 0.25, 0.1)
 
@@ -54,11 +55,26 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
         Its medial axis.
     request : PocketRequest
     """
-    radius, stepover = request.cutter_radius, request.cutting.stepover
-    ridges = _ridges(axis)
-    if axis.clearance.max(initial=0.0) < radius:
+    if axis.clearance.max(initial=0.0) < request.cutter_radius:
         return None  # once round such a narrow region all of it is cut
-    inner = grow_coarsely(region, -OFF * stepover)
+    ridges, stepover = _ridges(axis), request.cutting.stepover
+    widest = None
+    for off in OFFS:
+        slot = _slot_off(off * stepover, region, axis, ridges, request)
+        if slot is not None:
+            core = grow_coarsely(slot, -HAIRLINE / 2 * stepover)
+            if isinstance(core, Polygon) and not core.is_empty:
+                return slot
+            widest = widest or slot
+    return widest
+
+
+def _slot_off(
+    off: float, region: Polygon, axis: Skeleton, ridges: Edges, request: PocketRequest
+) -> Polygon | None:
+    """Return what a slot along ridges opens that keeps off walls by so much [mm]; or None."""
+    radius, stepover = request.cutter_radius, request.cutting.stepover
+    inner = grow_coarsely(region, -off)
     for gap, half in product((PARTED * stepover, ROUNDED * radius), HALF_WIDTHS):
         wide = half * request.tool_diameter
         edges = _parted(axis, ridges, 2 * wide + gap)
@@ -74,13 +90,13 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
         shape = shapely.union_all([grow_coarsely(branch, wide) for branch in branches])
         start = slot_round(inner, shape, request)
         if start is not None and isinstance(start.entry, Slot) and not start.visited.interiors:
-            return _smoothed(Polygon(start.entry.ring), inner, request)
+            fence = grow_coarsely(inner, off / 2)
+            return _smoothed(Polygon(start.entry.ring), fence, request)
     return None
 
 
-def _smoothed(slot: Polygon, inner: Polygon, request: PocketRequest) -> Polygon:
-    """Return a slot with its corners rounded, as far as it keeps in one piece and off walls."""
-    fence = grow_coarsely(inner, OFF / 2 * request.cutting.stepover)
+def _smoothed(slot: Polygon, fence: Polygon, request: PocketRequest) -> Polygon:
+    """Return a slot with its corners rounded, as far as it keeps in one piece and in a fence."""
     for share in ROUNDINGS:
         q = share * request.cutter_radius
         shape = grow_coarsely(grow_coarsely(grow_coarsely(slot, q), -2 * q), q)

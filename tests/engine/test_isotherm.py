@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import BSpline, RegularGridInterpolator
@@ -332,6 +333,17 @@ def test_field_about_a_hot_disc_is_exact():
     r = np.hypot(x - center[0], y - center[1])
     exact = ring_temperature(r, inner, outer) + heat * np.log(r / outer) / np.log(inner / outer)
     assert np.abs(field.values - exact)[field.inside].max() < 1e-2
+
+
+def test_a_hot_slot_is_nowhere_a_hairline():
+    # between the boss and both walls beside it there is 1 mm for the center
+    bosses = [Point(x, y).buffer(5) for x, y in ((14, 14), (46, 26))]
+    pocket = box(0, 0, 60, 40).difference(shapely.union_all(bosses))
+    request = make_request(pocket, tool_diameter=8.0, cutting=Cutting(1.6))
+    region = center_regions(pocket, 4.0, 0.0)[0]
+    core = hot_slot(region, medial_axis(region), request).buffer(-0.05 * 1.6)
+    assert isinstance(core, Polygon)
+    assert not core.is_empty
 
 
 def test_a_level_ridge_round_an_island_is_opened_by_a_slot():
