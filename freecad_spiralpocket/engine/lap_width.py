@@ -15,7 +15,7 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
-from .front_rules import FrontRules
+from .front_rules import MEETING, FrontRules
 from .shaping import Region, grow_prepared, opening_of
 
 #: A lap may be wider by this to leave no ribs; as much as feeds allow without slowing down.
@@ -54,9 +54,11 @@ def best_width(visited: Polygon, omega: Polygon, rules: FrontRules) -> FrontRule
     plain = _passes(stock, rules.stepover)
     if not 0 < plain < math.inf:
         return rules
-    saved = [plain / _passes(stock, width * rules.stepover) - width for width in WIDTHS]
-    best = int(np.argmax(saved))
-    return widened(rules, WIDTHS[best]) if saved[best] > WORTH else rules
+    # wider laps than some would leave stock where they meet
+    widths = [w for w in WIDTHS if w * rules.stepover <= MEETING * rules.cutter_radius]
+    saved = [plain / _passes(stock, w * rules.stepover) - w for w in widths]
+    best = int(np.argmax([WORTH, *saved]))
+    return rules if best == 0 else widened(rules, widths[best - 1])
 
 
 def ribs_in(visited: Polygon, omega: Polygon, rules: FrontRules) -> float:

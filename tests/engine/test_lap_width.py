@@ -11,7 +11,7 @@ from shapely import Point, Polygon, box
 from shapes import request, rounded
 
 from freecad_spiralpocket.engine import lap_width, plan
-from freecad_spiralpocket.engine.front_rules import FrontRules
+from freecad_spiralpocket.engine.front_rules import MEETING, FrontRules
 from freecad_spiralpocket.engine.lap_width import STRETCH, best_width, widened
 from freecad_spiralpocket.engine.model import Heights
 
@@ -46,6 +46,12 @@ def test_thin_last_pass_is_saved_where_laps_may_be_so_wide(passes, more):
 @pytest.mark.parametrize("stock", [Point(0, 0).buffer(30), Point(0, 0).buffer(1.3), Polygon()])
 def test_where_no_pass_is_saved_laps_are_as_wide_as_the_step_over(stock):
     assert best_width(around(stock), GROUND, RULES) == RULES
+
+
+def test_laps_are_never_so_wide_that_stock_stays_where_they_meet():
+    widest = MEETING * R
+    rules = FrontRules(R, float(np.arccos(1 - widest / R)), 4.0, 4.2)
+    assert best_width(around(box(-100, 0, 100, 4.1 * widest)), GROUND, rules) == rules
 
 
 def test_islands_are_no_stock():
