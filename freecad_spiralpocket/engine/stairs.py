@@ -29,7 +29,7 @@ from .stair_profile import profile_of
 from .strokes import Stroke
 
 #: Stairs are not worth a look that save less than this, over all stock.
-WORTH = 0.015
+WORTH = 0.023
 #: What laps must do in every corner that the lines avoid, over R and the inner line's distance.
 LUMP = 2.5
 #: The ring is longer than this over all ramps and ways aside.
