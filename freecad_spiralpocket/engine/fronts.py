@@ -165,7 +165,7 @@ def without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> P
         if not omega.contains(hole):
             kept.append(ring)
             continue
-        # as `_ribs` has shrunk it already
+        # as `ribs_in` has shrunk it already
         opened = grow_coarsely(grow_prepared(hole, -idle), idle)
         holding = shapely.intersection(opened, hole)
         parts = [p for p in polygons_of(holding) if p.area > SLIVER]
