@@ -29,8 +29,8 @@ from shapely.affinity import rotate, scale, translate
 
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.findings import TOUCH
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, Plan, PocketRequest
+from freecad_spiralpocket.engine.proof.findings import TOUCH
 from freecad_spiralpocket.picture import draw
 
 OUT = Path(__file__).parent.parent / "build" / "bench"

@@ -11,7 +11,7 @@ import math
 
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.engine.machine import Machine
-from freecad_spiralpocket.engine.timing import time_of
+from freecad_spiralpocket.engine.motion.timing import time_of
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
 
 INCH = 25.4

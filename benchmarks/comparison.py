@@ -30,14 +30,14 @@ from shapely import Polygon
 
 from freecad_spiralpocket import machines, report
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.analysis import absolute_curvature, weighted_quantiles
-from freecad_spiralpocket.engine.arcs import fit_arcs
 from freecad_spiralpocket.engine.errors import CancelledError, SpiralPocketError
-from freecad_spiralpocket.engine.findings import over_limit
 from freecad_spiralpocket.engine.model import Plan, PocketRequest, Strategy
-from freecad_spiralpocket.engine.timing import time_of
+from freecad_spiralpocket.engine.motion.analysis import absolute_curvature, weighted_quantiles
+from freecad_spiralpocket.engine.motion.timing import time_of
+from freecad_spiralpocket.engine.proof.findings import over_limit
+from freecad_spiralpocket.engine.proof.verify import prove
+from freecad_spiralpocket.engine.shapes.arcs import fit_arcs
 from freecad_spiralpocket.engine.toolpath import Toolpath
-from freecad_spiralpocket.engine.verify import prove
 from freecad_spiralpocket.op import compat, foresight, operation, selection
 
 if compat.IS_LEGACY:

@@ -25,10 +25,10 @@ from shapely.geometry.polygon import orient
 
 from freecad_spiralpocket import machines, plots
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.analysis import time_ratio, weighted_quantiles
-from freecad_spiralpocket.engine.feed import FeedMode, FeedRules, plan_feeds
-from freecad_spiralpocket.engine.force import MATERIALS, Cutter
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest, Strategy
+from freecad_spiralpocket.engine.motion.analysis import time_ratio, weighted_quantiles
+from freecad_spiralpocket.engine.motion.feed import FeedMode, FeedRules, plan_feeds
+from freecad_spiralpocket.engine.motion.force import MATERIALS, Cutter
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
 from freecad_spiralpocket.study import Setup, Study
 

@@ -33,9 +33,9 @@ from shapely import Point, Polygon
 
 from freecad_spiralpocket import gcode, machines
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
-from freecad_spiralpocket.engine.timing import time_of
+from freecad_spiralpocket.engine.motion.timing import time_of
+from freecad_spiralpocket.engine.proof.verify import prove
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
-from freecad_spiralpocket.engine.verify import prove
 
 #: HQS24's programmed feed, m/min.
 HQS24_FEED = 10.0

@@ -17,10 +17,11 @@ from shapely import Point, Polygon, box, union_all
 from shapely.geometry.polygon import orient
 
 from freecad_spiralpocket import machines
-from freecad_spiralpocket.engine import open_sides, plan
+from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import SpiralPocketError
 from freecad_spiralpocket.engine.floor import Plunge
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, Plan, PocketRequest
+from freecad_spiralpocket.engine.opening import open_sides
 from freecad_spiralpocket.picture import draw
 
 OUT = Path(__file__).parent.parent / "build" / "bench"

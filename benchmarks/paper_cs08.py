@@ -27,9 +27,9 @@ from shapely import LineString, Polygon, box
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.engine.laps import central
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
-from freecad_spiralpocket.engine.polyline import ring_from
-from freecad_spiralpocket.engine.region import center_regions, polygons_of
-from freecad_spiralpocket.engine.timing import polyline_seconds
+from freecad_spiralpocket.engine.motion.timing import polyline_seconds
+from freecad_spiralpocket.engine.shapes.polyline import ring_from
+from freecad_spiralpocket.engine.shapes.region import center_regions, polygons_of
 
 FEEDS = (200, 300, 350, 400, 450, 500, 600)  # inch/min
 #: Table 1: seconds of the spiral, and gain over the conventional path [%], by C [%].

@@ -24,11 +24,11 @@ from paper_pockets import pocket
 from shapely import LineString, Point, Polygon, box
 
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.archimedean import Spiral
-from freecad_spiralpocket.engine.clothoids import ClothoidPath
 from freecad_spiralpocket.engine.laps import extended_archimedean
+from freecad_spiralpocket.engine.middle_line.archimedean import Spiral
+from freecad_spiralpocket.engine.middle_line.clothoids import ClothoidPath
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest, Strategy
-from freecad_spiralpocket.engine.region import center_regions
+from freecad_spiralpocket.engine.shapes.region import center_regions
 
 #: Uncut floor that does not count, over the pocket's area: strokes thinner than 0.03 mm are
 #: not worth a move.

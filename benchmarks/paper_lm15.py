@@ -25,8 +25,12 @@ from shapely import LineString, Point, Polygon, box
 from freecad_spiralpocket.engine.floor import Slot
 from freecad_spiralpocket.engine.laps import linear_morph
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest, Strategy
-from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.splines import periodic_beziers, sample_beziers, spiral_beziers
+from freecad_spiralpocket.engine.shapes.region import center_regions
+from freecad_spiralpocket.engine.shapes.splines import (
+    periodic_beziers,
+    sample_beziers,
+    spiral_beziers,
+)
 
 #: Parameters at which the spiral is compared with equation 3.
 PARAMETERS = 10_000

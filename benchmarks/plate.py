@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The heated plate as HQS24 solves it: linear elements on an unstructured mesh, raw contours.
 
-Only for comparison: the product solves it on a grid with second-order walls (engine/poisson.py).
+Only for comparison: the product solves it on a grid (engine/heat/poisson.py).
 """
 
 from __future__ import annotations

@@ -19,10 +19,10 @@ from shapely.geometry.polygon import orient
 
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.coverage import uncut_floor
+from freecad_spiralpocket.engine.contact.swept import cut_into_pieces
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
-from freecad_spiralpocket.engine.region import polygons_of
-from freecad_spiralpocket.engine.swept import cut_into_pieces
+from freecad_spiralpocket.engine.proof.coverage import uncut_floor
+from freecad_spiralpocket.engine.shapes.region import polygons_of
 from freecad_spiralpocket.picture import draw
 
 OUT = Path(__file__).parent.parent / "build" / "bench"

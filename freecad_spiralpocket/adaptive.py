@@ -23,9 +23,9 @@ from .engine.errors import SetupError, SpiralPocketError
 from .engine.levels import floors
 from .engine.machine import machine_of
 from .engine.model import Floats, Plan, PocketRequest
-from .engine.region import polygons_of
+from .engine.proof.verify import prove
+from .engine.shapes.region import polygons_of
 from .engine.toolpath import Role, Toolpath, ToolpathBuilder
-from .engine.verify import prove
 
 #: Defaults of FreeCAD's operation: tolerance of the library, and its longest links at depth.
 TOLERANCE, KEEP_DOWN_RATIO = 0.1, 3.0

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from .engine.errors import SetupError
 from .engine.levels import levels_of
 from .engine.model import Floats, Plan
-from .engine.region import polygons_of
+from .engine.shapes.region import polygons_of
 from .engine.toolpath import Kind, Role
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .engine import analysis
+from .engine.motion import analysis
 from .engine.toolpath import Kind
 from .study import Study
 

@@ -24,7 +24,7 @@ from shapely import Polygon
 from . import gcode, machines
 from .arguments import positive, positive_whole
 from .engine.errors import RequestError, SetupError, SpiralPocketError
-from .engine.force import MATERIALS, Cutter
+from .engine.motion.force import MATERIALS, Cutter
 from .engine.stepover import engagement_angle
 from .engine.toolpath import Toolpath
 from .study import Setup, Study

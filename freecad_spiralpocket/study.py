@@ -12,13 +12,13 @@ from functools import cached_property
 import numpy as np
 from shapely import Polygon
 
-from .engine import analysis
-from .engine.engagement import Engagement, along_path
-from .engine.force import Cutter, Forces, Material, cutting_forces, removal_rates
+from .engine.contact.engagement import Engagement, along_path
 from .engine.machine import Machine
 from .engine.model import Floats
-from .engine.stations import stations_of
-from .engine.timing import MachineTime, time_of
+from .engine.motion import analysis
+from .engine.motion.force import Cutter, Forces, Material, cutting_forces, removal_rates
+from .engine.motion.stations import stations_of
+from .engine.motion.timing import MachineTime, time_of
 from .engine.toolpath import Toolpath
 
 

@@ -16,12 +16,12 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from .engine.coverage import reachable_floor
 from .engine.machine import machine_of
 from .engine.model import Floats, Plan
-from .engine.region import polygons_of
-from .engine.stations import ends_of, moves_at, points_at, stations_of
-from .engine.timing import time_of
+from .engine.motion.stations import ends_of, moves_at, points_at, stations_of
+from .engine.motion.timing import time_of
+from .engine.proof.coverage import reachable_floor
+from .engine.shapes.region import polygons_of
 from .engine.toolpath import Kind, Toolpath
 
 #: Angle of the chords of a drawn arc [rad].

@@ -87,6 +87,48 @@ def test_import_rule_lets_pass():
     assert not forbidden_imports("engine", "from pathlib import Path", f"{OURS}.engine.module")
 
 
+#: What each package of the engine may import of the others.
+BELOW = {
+    "numerics": set(),
+    "shapes": {"numerics"},
+    "motion": {"numerics", "shapes"},
+    "contact": {"numerics", "shapes"},
+    "proof": {"numerics", "shapes", "motion", "contact"},
+    "growth": {"numerics", "shapes"},
+    "opening": {"numerics", "shapes", "growth"},
+    "links": {"numerics", "shapes", "motion", "growth", "opening"},
+    "heat": {"numerics", "shapes", "growth", "opening", "links"},
+    "middle_line": {"numerics", "shapes", "growth", "opening", "links"},
+    "laps": {"numerics", "shapes", "motion", "growth", "opening", "links", "heat", "middle_line"},
+}
+
+
+def forbidden_packages(part, source):
+    """Return the engine's packages that a module of one imports although it must not."""
+    engine = f"{OURS}.engine"
+    names = imported_modules(source, f"{engine}.{part}.module")
+    found = {name.removeprefix(f"{engine}.").split(".")[0] for name in names}
+    return (found & BELOW.keys()) - BELOW[part] - {part}
+
+
+def test_every_package_of_the_engine_is_known():
+    found = {file.parent.name for file in (PACKAGE / "engine").glob("*/__init__.py")}
+    assert found == BELOW.keys()
+
+
+@pytest.mark.parametrize("part", BELOW)
+def test_packages_of_the_engine_import_from_below_only(part):
+    for file in sorted((PACKAGE / "engine" / part).glob("*.py")):
+        found = forbidden_packages(part, file.read_text(encoding="utf-8"))
+        assert not found, f"{file.relative_to(ROOT)} imports {', '.join(sorted(found))}"
+
+
+def test_rule_of_packages_sees():
+    assert forbidden_packages("growth", "from ..links.routing import Router") == {"links"}
+    assert forbidden_packages("growth", "from .. import links") == {"links"}
+    assert not forbidden_packages("links", "from ..growth import strokes")
+
+
 def test_strategies_stand_apart():
     # what two of them need has a module of its own; closing.py is one
     laps = PACKAGE / "engine" / "laps"

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from freecad_spiralpocket import machines, report
-from freecad_spiralpocket.engine.force import MATERIALS, Cutter
-from freecad_spiralpocket.engine.timing import time_of
+from freecad_spiralpocket.engine.motion.force import MATERIALS, Cutter
+from freecad_spiralpocket.engine.motion.timing import time_of
 from freecad_spiralpocket.gcode import parse_program
 from freecad_spiralpocket.study import Setup, Study
 

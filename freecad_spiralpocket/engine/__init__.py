@@ -6,6 +6,9 @@ files, no state but caches. ``plan(request)`` is the whole of it; the records ar
 `model`, the errors in `errors`. Names are loaded on first use, so that
 `errors` and `model` can be imported where scipy or shapely is missing, and
 FreeCAD's start is not slowed down.
+
+Its packages import from those before them only: `numerics`, `shapes`, `motion`, `contact`,
+`proof`, `growth`, `opening`, `links`, `heat`, `middle_line`, `laps`.
 """
 
 from __future__ import annotations

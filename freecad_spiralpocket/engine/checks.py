@@ -12,9 +12,9 @@ from dataclasses import fields
 import numpy as np
 from shapely import Geometry, Polygon, get_coordinates, is_valid_reason
 
-from .entry import NARROWEST, WIDEST
 from .errors import GeometryError, RequestError
 from .model import Cutting, Entry, FeedPlan, Feeds, PocketRequest
+from .opening.entry import NARROWEST, WIDEST
 
 #: Levels may pass the one above, and the step down, by this [mm].
 NESTED = 0.01

@@ -17,16 +17,16 @@ from shapely import Polygon
 
 from .checks import check_request
 from .floor import Plunge
-from .front_rules import FrontRules, engagement_step, rules_of
-from .fronts import ROOM, STALLED
+from .growth.front_rules import FrontRules, engagement_step, rules_of
+from .growth.fronts import ROOM, STALLED
 from .mirroring import mirrored, mirrored_request
 from .model import CutMode, Floats, PocketRequest
-from .open_sides import needed, starts_of
-from .outline import outline_of
-from .promising import promising
-from .region import center_regions
-from .shaping import largest, oriented
-from .starts import island_ring
+from .opening.open_sides import needed, starts_of
+from .opening.outline import outline_of
+from .opening.promising import promising
+from .opening.starts import island_ring
+from .shapes.region import center_regions
+from .shapes.shaping import largest, oriented
 
 #: Outlines are coarse by this much, over R; chords in a quarter circle.
 COARSE, QUADRANT = 0.02, 4

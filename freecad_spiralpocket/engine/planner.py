@@ -20,13 +20,11 @@ from shapely import Polygon
 from shapely.geometry.polygon import orient
 
 from .checks import check_request
+from .contact.engagement import Engagement, engagement_of
 from .dependencies import require_libraries
-from .engagement import Engagement, engagement_of
 from .errors import AlreadyClearedError, CancelledError, ProofError, SpiralPocketError
-from .feed import FeedRules, plan_feeds
 from .floor import FloorPath
-from .front_rules import MEETING
-from .leftovers import is_left
+from .growth.front_rules import MEETING
 from .levels import levels_of
 from .machine import machine_of
 from .mirroring import mirrored, mirrored_request
@@ -40,14 +38,16 @@ from .model import (
     Strategy,
     Tick,
 )
-from .open_sides import needed
+from .motion.feed import FeedRules, plan_feeds
+from .motion.stations import ends_of, moves_at, stations_of
+from .opening.leftovers import is_left
+from .opening.open_sides import needed
+from .proof.verify import prove
 from .rendering import Cut, render
 from .repair import Proved, badness, repaired
 from .rooms import Room, rooms_of
 from .sizes import planned_resized
-from .stations import ends_of, moves_at, stations_of
 from .toolpath import Toolpath
-from .verify import prove
 
 #: Points of an outline that matter less than this are left out where most do [mm].
 CROWD = 5e-4

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .entry import APPROACH, cut_entry, entry_start
 from .floor import Descent, FloorPath, Pass, WayDown
 from .levels import Level
 from .model import PocketRequest
+from .opening.entry import APPROACH, cut_entry, entry_start
 from .rooms import Room
 from .toolpath import Role, Toolpath, ToolpathBuilder
 

@@ -21,11 +21,11 @@ from functools import partial
 
 from shapely import Point, Polygon
 
-from .findings import TOLD_UNCUT, TOUCH
 from .floor import FloorPath, Pass
-from .front_rules import MEETING
+from .growth.front_rules import MEETING
+from .links.passes import with_leads
 from .model import PocketRequest, Report, Strategy
-from .passes import with_leads
+from .proof.findings import TOLD_UNCUT, TOUCH
 from .rendering import Cut
 from .toolpath import Role, Toolpath
 

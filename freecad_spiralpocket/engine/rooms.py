@@ -18,7 +18,7 @@ from shapely import Point, Polygon
 from .errors import CutterDoesNotFitError
 from .levels import Level
 from .model import Notice
-from .region import center_regions, unreachable_notices
+from .shapes.region import center_regions, unreachable_notices
 
 
 @dataclass(frozen=True, slots=True, eq=False)

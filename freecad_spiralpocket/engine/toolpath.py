@@ -18,8 +18,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from .arcs import fit_arcs
 from .model import Floats
+from .shapes.arcs import fit_arcs
 
 
 class Kind(IntEnum):

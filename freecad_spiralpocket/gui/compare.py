@@ -309,6 +309,6 @@ def _angle(angle: float, limit: float) -> str:
 
 def _passes(angle: float, limit: float) -> bool:
     """Return whether an engagement angle clearly passes the limit."""
-    from ..engine.findings import over_limit  # needs shapely
+    from ..engine.proof.findings import over_limit  # needs shapely
 
     return angle > over_limit(limit)

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..beside.tasks import Drawn
-from ..engine.force import MATERIALS, Cutter, cutting_forces
 from ..engine.model import CutMode, Floats
+from ..engine.motion.force import MATERIALS, Cutter, cutting_forces
 from ..engine.toolpath import Role
 from ..op.results import start_times
 

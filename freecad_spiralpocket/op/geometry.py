@@ -127,7 +127,7 @@ def _largest(shape: Any, sag: float) -> Polygon:
     """Return the largest polygon in a shape; empty if others are wider than twice the sag."""
     from shapely import Polygon
 
-    from ..engine.region import polygons_of
+    from ..engine.shapes.region import polygons_of
 
     first, *rest = polygons_of(shape) or [Polygon()]
     return Polygon() if any(not part.buffer(-sag).is_empty for part in rest) else first

@@ -16,7 +16,7 @@ import Part
 import shapely
 from shapely import MultiPoint, Polygon
 
-from ..engine.region import grow, polygons_of
+from ..engine.shapes.region import grow, polygons_of
 from . import geometry
 from .selection import Floor, outer_wire
 from .slices import standing

@@ -16,11 +16,11 @@ from typing import Any
 import shapely
 from shapely import MultiPolygon, Polygon
 
-from ..engine.coverage import uncut_floor
+from ..engine.contact.swept import Pieces, cut_into_pieces
 from ..engine.errors import RequestError
 from ..engine.model import PocketRequest
-from ..engine.region import polygons_of
-from ..engine.swept import Pieces, cut_into_pieces
+from ..engine.proof.coverage import uncut_floor
+from ..engine.shapes.region import polygons_of
 from ..gcode import parse_program
 from .compat import operation_property, parent_job, tool_shape
 from .tools import FLAT_TOOLS

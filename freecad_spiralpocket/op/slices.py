@@ -19,8 +19,8 @@ import shapely
 from shapely import Polygon
 
 from ..engine.errors import GeometryError
-from ..engine.points import signed_area
-from ..engine.region import polygons_of
+from ..engine.shapes.points import signed_area
+from ..engine.shapes.region import polygons_of
 from . import geometry
 from .selection import SAME_HEIGHT
 

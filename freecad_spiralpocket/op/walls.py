@@ -20,8 +20,8 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
-from ..engine.points import signed_area
-from ..engine.region import polygons_of
+from ..engine.shapes.points import signed_area
+from ..engine.shapes.region import polygons_of
 from . import geometry
 from .open_sides import OpenSides, lines_of
 from .selection import SAME_HEIGHT, Floor, outer_wire

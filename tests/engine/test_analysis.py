@@ -9,15 +9,15 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from freecad_spiralpocket.engine.analysis import (
+from freecad_spiralpocket.engine.machine import Machine
+from freecad_spiralpocket.engine.motion.analysis import (
     absolute_curvature,
     feed_direction,
     sample_times,
     time_ratio,
     weighted_quantiles,
 )
-from freecad_spiralpocket.engine.machine import Machine
-from freecad_spiralpocket.engine.timing import time_of
+from freecad_spiralpocket.engine.motion.timing import time_of
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
 
 FEED = 50.0

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import LineString
 
-from freecad_spiralpocket.engine.arcs import fit_arcs
+from freecad_spiralpocket.engine.shapes.arcs import fit_arcs
 
 TOLERANCE = 0.004
 

@@ -29,21 +29,21 @@ from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
-from freecad_spiralpocket.engine.estimates import motion_of
-from freecad_spiralpocket.engine.findings import TOUCH
-from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
-from freecad_spiralpocket.engine.fronts import advance
+from freecad_spiralpocket.engine.growth.front_rules import FrontRules, engagement_step
+from freecad_spiralpocket.engine.growth.fronts import advance
 from freecad_spiralpocket.engine.laps import automatic as automatic_laps
+from freecad_spiralpocket.engine.links.estimates import motion_of
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
-from freecad_spiralpocket.engine.region import center_regions
+from freecad_spiralpocket.engine.opening.start import slot_bite
+from freecad_spiralpocket.engine.proof.findings import TOUCH
+from freecad_spiralpocket.engine.shapes.region import center_regions
 from freecad_spiralpocket.engine.sizes import (
     planned_resized,
     resized,
     resized_path,
     resized_request,
 )
-from freecad_spiralpocket.engine.start import slot_bite
 from freecad_spiralpocket.engine.toolpath import Role
 
 ISLANDS = (

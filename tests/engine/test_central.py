@@ -15,10 +15,10 @@ from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetErro
 from freecad_spiralpocket.engine.laps import central
 from freecad_spiralpocket.engine.machine import Machine
 from freecad_spiralpocket.engine.model import Cutting, Strategy
+from freecad_spiralpocket.engine.motion.timing import polyline_seconds
 from freecad_spiralpocket.engine.planner import plan
-from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.starshape import deepest_center
-from freecad_spiralpocket.engine.timing import polyline_seconds
+from freecad_spiralpocket.engine.shapes.region import center_regions
+from freecad_spiralpocket.engine.shapes.starshape import deepest_center
 from freecad_spiralpocket.engine.toolpath import Role
 
 STEP = 2.4

@@ -11,9 +11,9 @@ from shapely import MultiPolygon, Polygon, box
 from shapes import HEIGHTS, request
 
 from freecad_spiralpocket.engine.checks import MOST_LEVELS, check_request
-from freecad_spiralpocket.engine.entry import NARROWEST, WIDEST
 from freecad_spiralpocket.engine.errors import GeometryError, RequestError
 from freecad_spiralpocket.engine.model import Entry, Section
+from freecad_spiralpocket.engine.opening.entry import NARROWEST, WIDEST
 
 ROOM = box(0, 0, 40, 40)
 

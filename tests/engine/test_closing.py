@@ -8,12 +8,12 @@ from shapely import LineString, Point, Polygon, box
 from shapes import CIRCLE, SQUARE, request
 
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.blocks import blocks_of_toolpath
 from freecad_spiralpocket.engine.laps.closing import corner_fillet
-from freecad_spiralpocket.engine.linking import come_to_wall
+from freecad_spiralpocket.engine.links.linking import come_to_wall
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import Strategy
-from freecad_spiralpocket.engine.polyline import ring_from
+from freecad_spiralpocket.engine.motion.blocks import blocks_of_toolpath
+from freecad_spiralpocket.engine.shapes.polyline import ring_from
 from freecad_spiralpocket.engine.toolpath import Role
 
 ISLANDS = box(0, 0, 80, 60).difference(Point(25, 30).buffer(8).union(Point(58, 30).buffer(6)))

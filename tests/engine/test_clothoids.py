@@ -14,7 +14,12 @@ from hypothesis import strategies as st
 from scipy.special import fresnel
 from shapely import LineString
 
-from freecad_spiralpocket.engine.clothoids import begin, half_corner, tangent_share, through
+from freecad_spiralpocket.engine.middle_line.clothoids import (
+    begin,
+    half_corner,
+    tangent_share,
+    through,
+)
 
 
 def end_of(path) -> np.ndarray:

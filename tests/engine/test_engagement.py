@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracle import Bitmap, rim_engagement, walk
 
-from freecad_spiralpocket.engine.engagement import Engagement, along_path
+from freecad_spiralpocket.engine.contact.engagement import Engagement, along_path
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
 
 

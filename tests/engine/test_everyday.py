@@ -16,9 +16,9 @@ from shapes import assert_ways_down_are_fed, lifts, rounded
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan, planner
-from freecad_spiralpocket.engine.engagement import along_path
+from freecad_spiralpocket.engine.contact.engagement import along_path
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
-from freecad_spiralpocket.engine.linking import Motion, link_times
+from freecad_spiralpocket.engine.links.linking import Motion, link_times
 from freecad_spiralpocket.engine.model import Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.toolpath import Kind, Role
 

@@ -15,14 +15,14 @@ from shapes import CIRCLE, DUMBBELL, L_SHAPE, RING, SQUARE, TEE, crossed_bars, r
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.archimedean import bend_at
-from freecad_spiralpocket.engine.coverable import maximal_centers
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.floor import Helix, Slot
 from freecad_spiralpocket.engine.laps import extended_archimedean
+from freecad_spiralpocket.engine.middle_line.archimedean import bend_at
+from freecad_spiralpocket.engine.middle_line.coverable import maximal_centers
 from freecad_spiralpocket.engine.model import Cutting, Strategy
-from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.skeleton import medial_axis
+from freecad_spiralpocket.engine.shapes.region import center_regions
+from freecad_spiralpocket.engine.shapes.skeleton import medial_axis
 
 POSTS = box(0, 0, 90, 64).difference(Point(24, 34).buffer(9)).difference(box(48, 18, 62, 40))
 COMB = box(0, 0, 96, 20).union(shapely.union_all([box(x, 18, x + 14, 55) for x in (4, 40, 76)]))

@@ -13,8 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import box
 
-from freecad_spiralpocket.engine.engagement import along_path
-from freecad_spiralpocket.engine.feed import (
+from freecad_spiralpocket.engine.contact.engagement import along_path
+from freecad_spiralpocket.engine.motion.feed import (
     DEAD_BAND,
     LEAST_RUN,
     RUNG,
@@ -24,8 +24,13 @@ from freecad_spiralpocket.engine.feed import (
     linear_slowdown,
     plan_feeds,
 )
-from freecad_spiralpocket.engine.feed_runs import lengthen_runs
-from freecad_spiralpocket.engine.stations import fractions_of, moves_at, points_at, stations_of
+from freecad_spiralpocket.engine.motion.feed_runs import lengthen_runs
+from freecad_spiralpocket.engine.motion.stations import (
+    fractions_of,
+    moves_at,
+    points_at,
+    stations_of,
+)
 from freecad_spiralpocket.engine.toolpath import Kind, Role, Toolpath, ToolpathBuilder
 
 RADIUS, LIMIT, FEED, LINK_FEED = 3.0, math.radians(60.0), 50.0, 80.0

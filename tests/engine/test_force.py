@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from freecad_spiralpocket.engine.force import (
+from freecad_spiralpocket.engine.motion.force import (
     MATERIALS,
     Cutter,
     Material,

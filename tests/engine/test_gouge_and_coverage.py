@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from oracle import Bitmap, walk
 from shapely import LineString, Point, Polygon, box
 
-from freecad_spiralpocket.engine.coverage import uncut_floor
-from freecad_spiralpocket.engine.gouge import gouge_depth
-from freecad_spiralpocket.engine.swept import cut_into_pieces
+from freecad_spiralpocket.engine.contact.swept import cut_into_pieces
+from freecad_spiralpocket.engine.proof.coverage import uncut_floor
+from freecad_spiralpocket.engine.proof.gouge import gouge_depth
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath
 
 SQUARE = box(0, 0, 40, 40)

@@ -8,12 +8,12 @@ import pytest
 import shapely
 from shapely import LineString, Polygon
 
-from freecad_spiralpocket.engine.branches import feet_between, lengthened, slim_ring
 from freecad_spiralpocket.engine.floor import Descent, Groove
-from freecad_spiralpocket.engine.groove import groove_levels, groove_path
-from freecad_spiralpocket.engine.polyline import points_at
-from freecad_spiralpocket.engine.skeleton import medial_axis, peel, without_spurs
-from freecad_spiralpocket.engine.spiral import between
+from freecad_spiralpocket.engine.growth.spiral import between
+from freecad_spiralpocket.engine.opening.branches import feet_between, lengthened, slim_ring
+from freecad_spiralpocket.engine.opening.groove import groove_levels, groove_path
+from freecad_spiralpocket.engine.shapes.polyline import points_at
+from freecad_spiralpocket.engine.shapes.skeleton import medial_axis, peel, without_spurs
 
 R = 3.0
 ANGLE = math.radians(5)

@@ -17,9 +17,9 @@ from shapes import request as make_request
 
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetError
 from freecad_spiralpocket.engine.floor import FloorPath, Helix, Pass, Slot
-from freecad_spiralpocket.engine.hermite_quartic import ClosedFit, ClosedQuartic
-from freecad_spiralpocket.engine.hot_slots import hot_slot
-from freecad_spiralpocket.engine.isotherms import (
+from freecad_spiralpocket.engine.heat.hermite_quartic import ClosedFit, ClosedQuartic
+from freecad_spiralpocket.engine.heat.hot_slots import hot_slot
+from freecad_spiralpocket.engine.heat.isotherms import (
     distances,
     evened,
     family_of,
@@ -28,15 +28,15 @@ from freecad_spiralpocket.engine.isotherms import (
     points_of,
     rooms_at,
 )
-from freecad_spiralpocket.engine.kinks import softened
+from freecad_spiralpocket.engine.heat.kinks import softened
+from freecad_spiralpocket.engine.heat.poisson import HeatField, solve
+from freecad_spiralpocket.engine.heat.turns import EASE, Ring, match, rise, turn
 from freecad_spiralpocket.engine.laps import isotherm
 from freecad_spiralpocket.engine.model import Cutting, Plan, Strategy
 from freecad_spiralpocket.engine.planner import plan
-from freecad_spiralpocket.engine.poisson import HeatField, solve
-from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.skeleton import medial_axis
+from freecad_spiralpocket.engine.shapes.region import center_regions
+from freecad_spiralpocket.engine.shapes.skeleton import medial_axis
 from freecad_spiralpocket.engine.toolpath import Kind, Role
-from freecad_spiralpocket.engine.turns import EASE, Ring, match, rise, turn
 
 STEP = 2.4
 #: Two lobes of one size with a wide waist: two summits and a saddle.

@@ -7,8 +7,8 @@ import itertools
 
 import numpy as np
 
-from freecad_spiralpocket.engine.joints import joined, walk_over
-from freecad_spiralpocket.engine.skeleton import Skeleton
+from freecad_spiralpocket.engine.middle_line.joints import joined, walk_over
+from freecad_spiralpocket.engine.shapes.skeleton import Skeleton
 
 
 def row(count: int) -> Skeleton:

@@ -10,9 +10,10 @@ from hypothesis import strategies as st
 from shapely import Point, Polygon, box
 from shapes import request, rounded
 
-from freecad_spiralpocket.engine import lap_width, plan
-from freecad_spiralpocket.engine.front_rules import MEETING, FrontRules
-from freecad_spiralpocket.engine.lap_width import STRETCH, best_width, widened
+from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.growth import lap_width
+from freecad_spiralpocket.engine.growth.front_rules import MEETING, FrontRules
+from freecad_spiralpocket.engine.growth.lap_width import STRETCH, best_width, widened
 from freecad_spiralpocket.engine.model import Heights
 
 R, STEPOVER = 3.0, 2.4

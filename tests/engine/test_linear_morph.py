@@ -26,8 +26,8 @@ from shapes import request as make_request
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetError
 from freecad_spiralpocket.engine.floor import Slot
 from freecad_spiralpocket.engine.laps import linear_morph
-from freecad_spiralpocket.engine.region import center_regions
-from freecad_spiralpocket.engine.splines import periodic_cubic, spiral_beziers
+from freecad_spiralpocket.engine.shapes.region import center_regions
+from freecad_spiralpocket.engine.shapes.splines import periodic_cubic, spiral_beziers
 
 PAPER = [pytest.param(p, id=n) for n, p in zip("345", (TRIANGLE, SQUARE, PENTAGON), strict=True)]
 

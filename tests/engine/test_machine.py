@@ -14,7 +14,7 @@ from jerk_oracle import fastest_time
 from benchmarks.chatelain import residuals, root_mean_square
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.engine.machine import CornerRule, Machine
-from freecad_spiralpocket.engine.timing import polyline_seconds, time_of
+from freecad_spiralpocket.engine.motion.timing import polyline_seconds, time_of
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
 
 ACCELERATION, JERK = 1000.0, 20000.0

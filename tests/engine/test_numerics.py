@@ -13,18 +13,28 @@ from scipy.sparse.csgraph import dijkstra, minimum_spanning_tree
 from scipy.spatial import cKDTree
 from shapely import LineString, MultiPoint, Point
 
-from freecad_spiralpocket.engine.distinct import (
+from freecad_spiralpocket.engine.links.routing import clamped_spline
+from freecad_spiralpocket.engine.numerics.distinct import (
     are_among,
     distinct,
     distinct_pairs,
     distinct_places,
 )
-from freecad_spiralpocket.engine.filters import dilated, evened, highest, lowest, patches_of
-from freecad_spiralpocket.engine.graphs import delaunay_triangles, shortest_paths, spanning_tree
-from freecad_spiralpocket.engine.nearest import nearest
-from freecad_spiralpocket.engine.polyline import locate
-from freecad_spiralpocket.engine.routing import clamped_spline
-from freecad_spiralpocket.engine.shaping import simplified_region
+from freecad_spiralpocket.engine.numerics.filters import (
+    dilated,
+    evened,
+    highest,
+    lowest,
+    patches_of,
+)
+from freecad_spiralpocket.engine.numerics.graphs import (
+    delaunay_triangles,
+    shortest_paths,
+    spanning_tree,
+)
+from freecad_spiralpocket.engine.numerics.nearest import nearest
+from freecad_spiralpocket.engine.shapes.polyline import locate
+from freecad_spiralpocket.engine.shapes.shaping import simplified_region
 
 RANDOM = np.random.default_rng(7)
 

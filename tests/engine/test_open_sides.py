@@ -12,13 +12,14 @@ from shapely.geometry.polygon import orient
 from shapes import HEIGHTS, assert_ways_down_are_fed, lifts, rounded
 from shapes import request as make_request
 
-from freecad_spiralpocket.engine import open_sides, plan
-from freecad_spiralpocket.engine.engagement import along_path
+from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.contact.engagement import along_path
 from freecad_spiralpocket.engine.floor import Plunge
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Strategy
-from freecad_spiralpocket.engine.region import center_regions
+from freecad_spiralpocket.engine.opening import open_sides
+from freecad_spiralpocket.engine.proof.verify import prove
+from freecad_spiralpocket.engine.shapes.region import center_regions
 from freecad_spiralpocket.engine.toolpath import Role, ToolpathBuilder
-from freecad_spiralpocket.engine.verify import prove
 
 R = 3.0
 OUT = 3 * R  # beyond the stock

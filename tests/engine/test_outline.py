@@ -12,14 +12,15 @@ from shapely import LineString, Point, Polygon, box
 from shapely.affinity import rotate
 from shapes import DUMBBELL, L_SHAPE, SQUARE, request
 
-from freecad_spiralpocket.engine import open_sides, plan
-from freecad_spiralpocket.engine.front_rules import FrontRules, engagement_step
+from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.growth.front_rules import FrontRules, engagement_step
+from freecad_spiralpocket.engine.growth.spiral import ends_of, spiral_through, without_air
+from freecad_spiralpocket.engine.growth.strokes import strokes_between
 from freecad_spiralpocket.engine.model import Cutting, Strategy
-from freecad_spiralpocket.engine.outline import outline_of
-from freecad_spiralpocket.engine.polyline import closed_line
-from freecad_spiralpocket.engine.shaping import rim_points, thick_parts, without_whiskers
-from freecad_spiralpocket.engine.spiral import ends_of, spiral_through, without_air
-from freecad_spiralpocket.engine.strokes import strokes_between
+from freecad_spiralpocket.engine.opening import open_sides
+from freecad_spiralpocket.engine.opening.outline import outline_of
+from freecad_spiralpocket.engine.shapes.polyline import closed_line
+from freecad_spiralpocket.engine.shapes.shaping import rim_points, thick_parts, without_whiskers
 from freecad_spiralpocket.engine.toolpath import Role
 
 R = 3.0

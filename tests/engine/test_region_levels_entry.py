@@ -13,17 +13,17 @@ from hypothesis import strategies as st
 from shapely import GeometryCollection, LineString, MultiPolygon, Point, box
 from shapes import DUMBBELL, FEEDS, HEIGHTS
 
-from freecad_spiralpocket.engine.entry import (
+from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, named
+from freecad_spiralpocket.engine.floor import Descent, Helix, Slot
+from freecad_spiralpocket.engine.levels import floors
+from freecad_spiralpocket.engine.model import Entry, Heights
+from freecad_spiralpocket.engine.opening.entry import (
     cut_entry,
     entry_start,
     fit_helix_radius,
     ramp_feed,
 )
-from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, named
-from freecad_spiralpocket.engine.floor import Descent, Helix, Slot
-from freecad_spiralpocket.engine.levels import floors
-from freecad_spiralpocket.engine.model import Entry, Heights
-from freecad_spiralpocket.engine.region import (
+from freecad_spiralpocket.engine.shapes.region import (
     center_regions,
     grow,
     polygons_of,

@@ -12,11 +12,11 @@ from shapes import assert_ways_down_are_fed, lifts
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.air import intervals_in_air
-from freecad_spiralpocket.engine.coverage import polylines
+from freecad_spiralpocket.engine.contact.air import intervals_in_air
+from freecad_spiralpocket.engine.contact.swept import cut_into_pieces
 from freecad_spiralpocket.engine.errors import AlreadyClearedError
 from freecad_spiralpocket.engine.model import CutMode, Strategy
-from freecad_spiralpocket.engine.swept import cut_into_pieces
+from freecad_spiralpocket.engine.proof.coverage import polylines
 from freecad_spiralpocket.engine.toolpath import Kind
 
 R = 3.0

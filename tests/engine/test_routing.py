@@ -9,11 +9,11 @@ import shapely
 from shapely import LineString, Point, Polygon, box
 from shapely.geometry.polygon import orient
 
-from freecad_spiralpocket.engine.cleared import ClearedMap
-from freecad_spiralpocket.engine.ground import COARSE, Ground
-from freecad_spiralpocket.engine.routing import HOPE, LongWays, back_along_ring, tightest_bend
-from freecad_spiralpocket.engine.shaping import largest
-from freecad_spiralpocket.engine.strokes import Stroke
+from freecad_spiralpocket.engine.growth.strokes import Stroke
+from freecad_spiralpocket.engine.links.cleared import ClearedMap
+from freecad_spiralpocket.engine.links.ground import COARSE, Ground
+from freecad_spiralpocket.engine.links.routing import HOPE, LongWays, back_along_ring, tightest_bend
+from freecad_spiralpocket.engine.shapes.shaping import largest
 
 
 @pytest.mark.parametrize("arriving", [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)])

@@ -15,9 +15,9 @@ from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import GeometryError, RequestError
 from freecad_spiralpocket.engine.levels import floors, levels_of
 from freecad_spiralpocket.engine.model import CutMode, Heights, Section, Strategy
+from freecad_spiralpocket.engine.proof.verify import prove
+from freecad_spiralpocket.engine.proof.wall_steps import largest_step, step_of
 from freecad_spiralpocket.engine.rooms import rooms_of
-from freecad_spiralpocket.engine.verify import prove
-from freecad_spiralpocket.engine.wall_steps import largest_step, step_of
 
 R = 3.0
 SLOPE = math.tan(math.radians(20))

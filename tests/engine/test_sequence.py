@@ -8,13 +8,13 @@ import shapes
 from shapely import Point, box
 
 from freecad_spiralpocket.engine import plan
-from freecad_spiralpocket.engine.cleared import ENDS, NEVER
-from freecad_spiralpocket.engine.estimates import link_seconds
 from freecad_spiralpocket.engine.laps import automatic
-from freecad_spiralpocket.engine.linking import hermite_links
+from freecad_spiralpocket.engine.links.cleared import ENDS, NEVER
+from freecad_spiralpocket.engine.links.estimates import link_seconds
+from freecad_spiralpocket.engine.links.linking import hermite_links
+from freecad_spiralpocket.engine.links.passes import SLIM, slim
+from freecad_spiralpocket.engine.links.sequence import in_better_sequence
 from freecad_spiralpocket.engine.model import Strategy
-from freecad_spiralpocket.engine.passes import SLIM, slim
-from freecad_spiralpocket.engine.sequence import in_better_sequence
 
 #: Rows of bosses, with bays in which nearest first leaves rests behind; bays along a wall.
 BOSSES = box(0, 0, 110, 70).difference(

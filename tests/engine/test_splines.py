@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline
 
-from freecad_spiralpocket.engine.splines import (
+from freecad_spiralpocket.engine.shapes.splines import (
     join_c2,
     multiply_linear,
     periodic_beziers,

@@ -14,18 +14,19 @@ from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon, box, union_all
 from shapes import DUMBBELL, L_SHAPE, SQUARE, lifts, request, rounded
 
-from freecad_spiralpocket.engine import plan, starts, wall_slot
+from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.floor import Descent, Slot, Stairs
-from freecad_spiralpocket.engine.front_rules import WIDEST, rules_of
-from freecad_spiralpocket.engine.fronts import FLAT, fronts_from
+from freecad_spiralpocket.engine.growth.front_rules import WIDEST, rules_of
+from freecad_spiralpocket.engine.growth.fronts import FLAT, fronts_from
+from freecad_spiralpocket.engine.growth.strokes import Stroke
 from freecad_spiralpocket.engine.laps import automatic
 from freecad_spiralpocket.engine.model import Cutting, Entry, Heights
-from freecad_spiralpocket.engine.polyline import closed_line
-from freecad_spiralpocket.engine.shaping import simplified_region
-from freecad_spiralpocket.engine.slot import slot_path
-from freecad_spiralpocket.engine.stairs import leaves_crumbs, stairs_of
-from freecad_spiralpocket.engine.start import slot_bite
-from freecad_spiralpocket.engine.strokes import Stroke
+from freecad_spiralpocket.engine.opening import starts, wall_slot
+from freecad_spiralpocket.engine.opening.slot import slot_path
+from freecad_spiralpocket.engine.opening.stairs import leaves_crumbs, stairs_of
+from freecad_spiralpocket.engine.opening.start import slot_bite
+from freecad_spiralpocket.engine.shapes.polyline import closed_line
+from freecad_spiralpocket.engine.shapes.shaping import simplified_region
 from freecad_spiralpocket.engine.toolpath import Role
 
 R = 3.0

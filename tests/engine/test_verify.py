@@ -11,9 +11,9 @@ from shapes import FEEDS
 
 from freecad_spiralpocket.engine.machine import MIDDLING, Machine
 from freecad_spiralpocket.engine.model import Cutting, Heights, PocketRequest, Report
-from freecad_spiralpocket.engine.timing import time_of
+from freecad_spiralpocket.engine.motion.timing import time_of
+from freecad_spiralpocket.engine.proof.verify import prove
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
-from freecad_spiralpocket.engine.verify import prove
 
 SQUARE = box(0, 0, 40, 40)
 

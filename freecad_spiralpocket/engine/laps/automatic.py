@@ -19,10 +19,17 @@ import shapely
 import shapely.ops
 from shapely import LineString, Polygon
 
-from ..cleared import ClearedMap, pixel_of
-from ..corners import finish_corners
 from ..errors import CutterDoesNotFitError, NotYetError
-from ..estimates import (
+from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
+from ..growth.corners import finish_corners
+from ..growth.front_rules import WIDEST, FrontRules, rules_of
+from ..growth.fronts import MAX_FRONTS, fronts_from, without_idle_holes
+from ..growth.lap_width import STRETCH
+from ..growth.spiral import between
+from ..growth.stroke_runs import Run, runs_of, unit
+from ..growth.strokes import Stroke, strokes_between, strokes_of
+from ..links.cleared import ClearedMap, pixel_of
+from ..links.estimates import (
     LIFT_SECONDS,
     entry_seconds,
     least_seconds,
@@ -30,25 +37,18 @@ from ..estimates import (
     motion_of,
     seconds_of,
 )
-from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
-from ..front_rules import WIDEST, FrontRules, rules_of
-from ..fronts import MAX_FRONTS, fronts_from, without_idle_holes
-from ..lap_width import STRETCH
-from ..leftovers import is_left, large_pieces, without
-from ..linking import Motion
+from ..links.linking import Motion
+from ..links.ordering import Situation, Step, order
+from ..links.passes import passes_of
+from ..links.sequence import in_better_sequence
 from ..model import Floats, PocketRequest, Tick
-from ..open_sides import needed, starts_of, strokes_in_stock, strokes_within
-from ..ordering import Situation, Step, order
-from ..passes import passes_of
-from ..promising import FEW, promising
-from ..region import polygons_of
-from ..sequence import in_better_sequence
-from ..shaping import grow_coarsely, largest, oriented, thick_parts
-from ..spiral import between
-from ..start import Start
-from ..starts import candidates
-from ..stroke_runs import Run, runs_of, unit
-from ..strokes import Stroke, strokes_between, strokes_of
+from ..opening.leftovers import is_left, large_pieces, without
+from ..opening.open_sides import needed, starts_of, strokes_in_stock, strokes_within
+from ..opening.promising import FEW, promising
+from ..opening.start import Start
+from ..opening.starts import candidates
+from ..shapes.region import polygons_of
+from ..shapes.shaping import grow_coarsely, largest, oriented, thick_parts
 
 #: A start is given up that needs more levels than this over the best.
 HOPELESS_LEVELS = 1.8

@@ -29,21 +29,21 @@ import numpy as np
 import shapely
 from shapely import Point, Polygon
 
-from ..entry import fit_helix_radius
 from ..errors import NotYetError
 from ..floor import FloorPath, Helix
 from ..machine import machine_of
 from ..model import Floats, PocketRequest, Tick
-from ..polyline import ring_from, turning_samples
-from ..splines import (
+from ..motion.timing import polyline_seconds
+from ..opening.entry import fit_helix_radius
+from ..shapes.polyline import ring_from, turning_samples
+from ..shapes.splines import (
     periodic_beziers,
     periodic_controls,
     periodic_cubic,
     sample_beziers,
     spiral_beziers,
 )
-from ..starshape import deepest_center
-from ..timing import polyline_seconds
+from ..shapes.starshape import deepest_center
 from .closing import closing_passes, corner_fillet, rounded_inside, wall_inset
 
 #: C, the end of the circular spiral, in the order tried: the paper's best first.

@@ -12,10 +12,10 @@ import shapely
 from shapely import Polygon
 
 from ..floor import Pass
-from ..linking import come_to_wall, leave_wall
+from ..links.linking import come_to_wall, leave_wall
 from ..model import Floats, PocketRequest
-from ..polyline import ring_from, simplified
-from ..region import grow, polygons_of
+from ..shapes.polyline import ring_from, simplified
+from ..shapes.region import grow, polygons_of
 from ..toolpath import Role
 
 #: Fillet radii of the rounded wall tried, over the step-over.

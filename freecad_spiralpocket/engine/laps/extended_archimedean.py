@@ -25,29 +25,29 @@ import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
-from ..archimedean import Spiral, bend_at, spiral_about
-from ..cleared import ClearedMap, pixel_of
-from ..clothoid_links import Place, clothoid_link, clothoid_way, turn_away
-from ..clothoids import ClothoidPath
-from ..corners import finish_corners
 from ..errors import NotYetError
-from ..estimates import motion_of
 from ..floor import FloorPath
-from ..front_rules import rules_of
-from ..fronts import MAX_FRONTS, fronts_from
-from ..joints import walk_over
+from ..growth.corners import finish_corners
+from ..growth.front_rules import rules_of
+from ..growth.fronts import MAX_FRONTS, fronts_from
+from ..growth.stroke_runs import runs_of
+from ..growth.strokes import Stroke, strokes_of
+from ..links.cleared import ClearedMap, pixel_of
+from ..links.estimates import motion_of
+from ..links.ordering import SLACK, Situation, Step, order
+from ..links.passes import passes_of, with_leads
+from ..links.routing import LongWays
+from ..middle_line.archimedean import Spiral, bend_at, spiral_about
+from ..middle_line.clothoid_links import Place, clothoid_link, clothoid_way, turn_away
+from ..middle_line.clothoids import ClothoidPath
+from ..middle_line.joints import walk_over
+from ..middle_line.openings import Opening, open_centers
 from ..model import Floats, PocketRequest, Tick
-from ..openings import Opening, open_centers
-from ..ordering import SLACK, Situation, Step, order
-from ..passes import passes_of, with_leads
-from ..points import distances_along
-from ..polyline import points_at
-from ..routing import LongWays
-from ..shaping import largest, oriented
-from ..skeleton import Skeleton, medial_axis
-from ..start import Start
-from ..stroke_runs import runs_of
-from ..strokes import Stroke, strokes_of
+from ..opening.start import Start
+from ..shapes.points import distances_along
+from ..shapes.polyline import points_at
+from ..shapes.shaping import largest, oriented
+from ..shapes.skeleton import Skeleton, medial_axis
 
 #: Laps are no farther apart than this over D: in a square bend they are 1.41 times as far.
 WIDEST = 0.7

@@ -38,11 +38,10 @@ import shapely
 from shapely import Point, Polygon
 
 from ..errors import CutterDoesNotFitError, NotYetError
-from ..estimates import motion_of
 from ..floor import FloorPath, Slot
-from ..hot_slots import hot_slot
-from ..isotherm_slots import core_of, core_share, pays, slots_for
-from ..isotherms import (
+from ..heat.hot_slots import hot_slot
+from ..heat.isotherm_slots import core_of, core_share, pays, slots_for
+from ..heat.isotherms import (
     Family,
     Room,
     distances,
@@ -57,12 +56,13 @@ from ..isotherms import (
     rooms_at,
     slack,
 )
+from ..heat.nested import SPACING, Lap, Mover, path_through
+from ..heat.poisson import HeatField
+from ..links.estimates import motion_of
 from ..model import Floats, PocketRequest, Tick
-from ..nested import SPACING, Lap, Mover, path_through
-from ..poisson import HeatField
-from ..shaping import oriented
-from ..skeleton import medial_axis
-from ..start import slot_bite
+from ..opening.start import slot_bite
+from ..shapes.shaping import oriented
+from ..shapes.skeleton import medial_axis
 from .closing import corner_fillet
 
 #: Steps of the search for the next isotherm. It begins with this share of the temperature left, and

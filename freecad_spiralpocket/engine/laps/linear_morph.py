@@ -30,19 +30,19 @@ from shapely import Polygon
 
 from ..errors import NotYetError
 from ..floor import FloorPath, Helix, Slot
-from ..inner_curves import Spine, axis_spines, is_compact, point_spine
+from ..middle_line.inner_curves import Spine, axis_spines, is_compact, point_spine
 from ..model import Floats, PocketRequest, Tick
-from ..polyline import closed_line, ring_from
-from ..slot import slot_end
-from ..splines import (
+from ..opening.slot import slot_end
+from ..opening.start import slot_bite
+from ..opening.starts import leaves_no_post
+from ..shapes.polyline import closed_line, ring_from
+from ..shapes.splines import (
     join_c2,
     periodic_beziers,
     periodic_cubic,
     sample_beziers,
     spiral_beziers,
 )
-from ..start import slot_bite
-from ..starts import leaves_no_post
 from .closing import closing_passes, rounded_inside, wall_inset
 
 #: Fillet radius of the rounded wall over the step-over at first; halved while it takes more than

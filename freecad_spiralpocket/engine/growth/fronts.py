@@ -1,0 +1,275 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Growing fronts: from the region already visited to the next, engagement held.
+
+`C` is the set of places where the cutter's center has been (or could go without
+cutting). Its boundary moves outwards by a step that keeps the engagement angle at
+the limit (front_rules.py).
+
+Two morphological filters keep the fronts smooth. A closing rounds reentrant
+kinks (closings.py); an opening makes every front leave and join the walls tangentially. What
+the opening keeps from being reached, the corners, is taken at the end, each in as
+few strokes as the limit allows. The family of laps is CS08's circular spiral
+grown to the walls, or EAS07's extended Archimedean spiral where it starts from
+a curve, with the step measured by engagement instead of distance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+import shapely
+from shapely import Polygon
+
+from ..model import Floats
+from ..numerics.filters import evened, highest
+from ..shapes.polyline import ring_samples, simplified
+from ..shapes.region import polygons_of
+from ..shapes.shaping import (
+    SLIVER,
+    Region,
+    are_within,
+    grow_coarsely,
+    grow_prepared,
+    largest,
+    opening_of,
+    oriented,
+    simplified_region,
+    welded,
+    without_whiskers,
+)
+from .closings import without_kinks
+from .front_rules import NEW, FrontRules, engagement_step
+from .lap_width import IDLE, STRETCH, best_width, ribs_in, widened
+from .walls import are_near_walls
+
+#: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
+#: much, over R: a step that jumps makes waves that grow from lap to lap.
+REACH, EVEN = 0.8, 0.9
+#: A step goes beyond the step-over only where it is concave so far to both sides, over R.
+FAR = 3.0
+#: Distance of samples along a front, and width of the smoothing under which its bends are taken,
+#: over R or over the width of a slim one.
+SPACING, SOFT = 0.12, 0.4
+#: Samples of a moved front that matter less than this are left out [mm].
+STRAIGHT = 0.0005
+#: Points of a front that matter less than this are left out [mm].
+FLAT = 0.002
+#: Growth ends when a step adds less than this share of the last stroke's area.
+STALLED = 0.02
+#: A stroke before a corner is not worth its link that cuts less than this over the step-over.
+SCRAP = 0.35
+#: Ribs below this area are not worth that, over R and the step-over.
+RIBS = 0.1
+#: An opening may take so much of a free tip, over the fillet.
+TIP_HEIGHT = 0.01
+#: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
+#: fillet's: a corner of 30 degrees just holds that.
+ROOM = 0.6
+#: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
+MAX_FRONTS = 2000
+
+
+def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
+    """Open a region where it meets the walls of `omega`; its free tips stay."""
+    core = grow_coarsely(shape, -fillet)
+    opened = grow_coarsely(core, fillet)
+    kept = grow_coarsely(core, (1 + TIP_HEIGHT) * fillet)
+    shapely.prepare(kept)
+    points = shapely.get_coordinates(shape)
+    points = points[~shapely.contains_xy(kept, points)]
+    if len(points) == 0 or are_near_walls(omega, points, 0.4 * fillet).all():
+        return opened
+    taken = shapely.get_parts(shapely.difference(shape, opened))
+    taken = taken[shapely.area(taken) > SLIVER]
+    if len(taken):
+        free = taken[~shapely.dwithin(omega.boundary, taken, 0.02)]
+        if len(free):
+            return welded([opened, *free])
+    return opened
+
+
+def _stepped_ring(
+    ring: shapely.LinearRing, omega: Polygon, rules: FrontRules
+) -> tuple[Floats, float]:
+    """Return a ring moved outwards by the step, and the least of it; parts on the wall stay."""
+    # a slim region's tips are tighter than the cutter
+    slim = 2 * shapely.area(Polygon(ring)) / ring.length
+    spacing = SPACING * min(rules.cutter_radius, max(slim, 0.05 * rules.cutter_radius))
+    points = ring_samples(ring, spacing)
+    soft = evened(points, SOFT / SPACING, closed=True)
+    tangent = (np.roll(soft, -1, axis=0) - np.roll(soft, 1, axis=0)) / 2
+    bend = np.roll(soft, -1, axis=0) - 2 * soft + np.roll(soft, 1, axis=0)
+    speed = np.hypot(tangent[:, 0], tangent[:, 1]) + 1e-12
+    curvature = (tangent[:, 0] * bend[:, 1] - tangent[:, 1] * bend[:, 0]) / speed**3
+    on_wall = are_near_walls(omega, points, 0.02)
+    curvature = np.where(on_wall, 0.0, curvature)
+    near, far = (max(3, round(2 * w * rules.cutter_radius / spacing) | 1) for w in (REACH, FAR))
+    convex = highest(curvature, near, closed=True)
+    concave = np.minimum(highest(curvature, far, closed=True), 0.0)
+    concave = evened(concave, far / 4, closed=True)
+    curvature = np.maximum(convex, 0.0) + concave
+    curvature = evened(curvature, EVEN * rules.cutter_radius / spacing, closed=True)
+    step = np.where(on_wall, 0.0, engagement_step(curvature, rules))
+    normal = np.column_stack([tangent[:, 1], -tangent[:, 0]]) / speed[:, None]
+    moved = points + step[:, None] * normal
+    moved = simplified(np.vstack([moved, moved[:1]]), STRAIGHT)[:-1]
+    return moved, float(step[~on_wall].min(initial=rules.stepover))
+
+
+def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
+    """Return the visited region after one more lap or set of strokes.
+
+    Parameters
+    ----------
+    visited : shapely.Polygon
+        C, exterior counter-clockwise, interiors clockwise.
+    omega : shapely.Polygon
+        The cutter-center region; contains `visited`.
+    """
+    visited = without_idle_holes(visited, omega, rules)
+    shell, least = shapely.get_coordinates(visited.exterior), rules.stepover
+    if not shapely.equals(visited.exterior, omega.exterior):
+        shell, least = _stepped_ring(visited.exterior, omega, rules)
+    holes = []
+    for ring in visited.interiors:
+        hole, least_here = _stepped_ring(ring, omega, rules)
+        least = min(least, least_here)
+        x, y = hole[:, 0], hole[:, 1]
+        is_inside_out = (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() >= 0
+        # where only a slim arm of it is, and that outweighs the rest, the rest is left
+        if not is_inside_out or not grow_coarsely(Polygon(ring), -least_here).is_empty:
+            holes.append(hole)
+    moved = Polygon(shell, holes)
+    if not moved.is_valid:
+        # where the moved ring crosses itself it leaves loops, which an opening removes
+        loop = 0.25 * rules.cutter_radius
+        moved = opening_of(shapely.make_valid(moved), loop)
+        moved = shapely.union(moved, grow_coarsely(visited, least))
+    closed = without_kinks(moved, visited, omega, rules)
+    grown = _filleted(shapely.intersection(closed, omega), rules.fillet, omega)
+    front = simplified_region(largest(shapely.union(grown, visited)), FLAT)
+    # a tiny hole beside the rim may come to lie outside
+    return front if front.is_valid else largest(shapely.make_valid(front))
+
+
+def without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
+    """Fill the holes, and the arms of holes, in which no stock stands.
+
+    The cutter reached over them from all around.
+    """
+    idle, kept = rules.cutter_radius - IDLE, []
+    for ring in visited.interiors:
+        hole = Polygon(ring)
+        if not omega.contains(hole):
+            kept.append(ring)
+            continue
+        # as `ribs_in` has shrunk it already
+        opened = grow_coarsely(grow_prepared(hole, -idle), idle)
+        holding = shapely.intersection(opened, hole)
+        parts = [p for p in polygons_of(holding) if p.area > SLIVER]
+        kept.extend(p.exterior for p in parts)
+    return oriented(Polygon(visited.exterior, kept))
+
+
+def fronts_from(
+    start: Polygon,
+    omega: Polygon,
+    rules: FrontRules,
+    idle: Sequence[Polygon] = (),
+    known: Sequence[Polygon] = (),
+) -> Iterator[Polygon]:
+    """Yield the visited region after the entry and after each level of laps and strokes.
+
+    Parameters
+    ----------
+    start : shapely.Polygon
+        Visited by the entry.
+    omega : shapely.Polygon
+        The cutter-center region.
+    rules : FrontRules
+    idle : sequence of shapely.Polygon, optional
+        Ground where nothing is cut; a front that touches it takes all of it.
+    known : sequence of shapely.Polygon, optional
+        The first of what this yields.
+
+    Yields
+    ------
+    shapely.Polygon
+        Nested, from `start` to where only corners are left (see `corners`).
+    """
+    known = known or [oriented(without_idle_holes(start, omega, rules))]
+    yield from known
+    front = known[-1]
+    least = STALLED * rules.stepover * rules.cutter_radius
+    wanted = best_width(front, omega, rules)
+    while True:
+        grown = _without_scraps(_stretched(front, omega, rules, wanted), front, omega, rules)
+        if grown.area - front.area < least:
+            grown = _through_neck(front, omega, rules)
+            if grown is None:
+                return
+        touched = [ground for ground in idle if ground.intersects(grown)]
+        if touched:
+            grown = largest(welded([grown, *touched]))
+            idle = [ground for ground in idle if ground not in touched]
+        front = oriented(without_whiskers(grown))
+        yield front
+
+
+def _stretched(visited: Polygon, omega: Polygon, rules: FrontRules, wanted: FrontRules) -> Polygon:
+    """Return the next front as wide as wanted, or wider where it would leave only thin ribs."""
+    grown = advance(visited, omega, wanted)
+    ribs = ribs_in(grown, omega, rules)
+    if ribs < RIBS * rules.cutter_radius * rules.stepover:
+        return grown
+    other = advance(visited, omega, widened(rules, STRETCH))
+    return other if ribs_in(other, omega, rules) < ribs / 2 else grown
+
+
+def _without_scraps(grown: Polygon, visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
+    """Return a front without the strokes that would hardly cut anything before a corner.
+
+    There the fillet is nearly reached; the corner is better finished from where it is.
+    """
+    if not _may_have_scraps(grown, visited, rules):
+        return grown
+    pieces = shapely.get_parts(shapely.difference(grown, visited))
+    coords, piece = shapely.get_coordinates(pieces, return_index=True)
+    thin = np.ones(len(pieces), dtype=bool)
+    thin[piece[~are_within(visited, coords, SCRAP * rules.stepover)]] = False
+    thin &= shapely.dwithin(pieces, omega.boundary, 0.02)
+    if not thin.any():
+        return grown
+    return largest(shapely.difference(grown, shapely.union_all(pieces[thin])))
+
+
+def _may_have_scraps(grown: Polygon, visited: Polygon, rules: FrontRules) -> bool:
+    """Return whether a run of new points along the rings stays close to `visited`; quick."""
+    for ring in (grown.exterior, *grown.interiors):
+        # straight walls have no points of their own between the corners
+        points = shapely.get_coordinates(shapely.segmentize(ring, 1.0))
+        new = ~are_within(visited, points, NEW)
+        if not new.any() or new.all():
+            continue
+        first = int(np.flatnonzero(~new)[0])
+        new = np.roll(new, -first)
+        far = np.roll(~are_within(visited, points, SCRAP * rules.stepover), -first)
+        run = np.cumsum(np.diff(new.astype(np.int8), prepend=0) > 0)[new]
+        if (np.bincount(run, weights=far[new])[1:] == 0).any():
+            return True
+    return False
+
+
+def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon | None:
+    """Return the next front where only a neck too narrow for the fillet leads on, or None."""
+    rest = shapely.difference(omega, visited)
+    if shapely.buffer(rest, -ROOM * rules.fillet).is_empty:
+        return None
+    for share in (0.5, 0.25, 0.1):
+        finer = replace(rules, fillet=share * rules.fillet)
+        grown = advance(visited, omega, finer)
+        if grown.area - visited.area > STALLED * rules.stepover * rules.cutter_radius:
+            return grown
+    return None

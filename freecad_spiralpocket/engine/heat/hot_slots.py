@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The slot that is kept hot: along a pocket's ridges, from room to room and round islands.
+
+A plate that is heated evenly has a summit in each room. Towards a summit laps creep along the
+ridge by a step-over each, every summit takes an entry of its own, and beside the saddles
+between them laps have tips. So the ridges, the medial axis without its forks into corners,
+are opened by one slot in shallow levels, and that is kept hot: isotherms are then nested all
+the way from the slot to the walls.
+
+A ridge that is closed round an island is parted where it is narrowest; laps close there.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise, product
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import LineString, Polygon
+
+from ..floor import Slot
+from ..model import PocketRequest
+from ..numerics.graphs import spanning_tree
+from ..opening.branches import smoothed
+from ..opening.starts import slot_round
+from ..shapes.shaping import grow_coarsely, oriented
+from ..shapes.skeleton import Edges, Skeleton, peel
+
+#: Half the width of the slot over D: the first is taken that leaves no post.
+HALF_WIDTHS = (0.46, 0.38, 0.3, 0.22)
+#: Tips are peeled while the walls that they serve are nearer than this over the largest clearance;
+#: branches shorter than this over the clearance at their foot are left out: forks into corners.
+PEELED, SPUR = 1.0, 1.6
+#: Width of the smoothing along ridges, and the shortest of them, over R.
+SMOOTHING, SHORTEST = 1.0, 1.0
+#: Where a ridge round an island is parted the ends of the slot are so far apart over the step-over,
+#: or over R where rounding would join them.
+PARTED, ROUNDED = 1.2, 1.0
+#: The slot keeps off walls by one of these over the step-over: the first with which it is nowhere
+#: narrower than the last. In a hairline no grid has nodes, and laps would part it.
+OFFS, HAIRLINE = (0.3, 0.2, 0.1), 0.1
+#: Its corners are rounded by these over R, the first that costs nothing.
+ROUNDINGS = (0.5, 0.25, 0.1)
+
+
+def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon | None:
+    """Return the region that a slot along its outline opens; None if there is no ridge for it.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        The cutter-center region.
+    axis : Skeleton
+        Its medial axis.
+    request : PocketRequest
+    """
+    if axis.clearance.max(initial=0.0) < request.cutter_radius:
+        return None  # once round such a narrow region all of it is cut
+    ridges, stepover = _ridges(axis), request.cutting.stepover
+    widest = None
+    for off in OFFS:
+        slot = _slot_off(off * stepover, region, axis, ridges, request)
+        if slot is not None:
+            core = grow_coarsely(slot, -HAIRLINE / 2 * stepover)
+            if isinstance(core, Polygon) and not core.is_empty:
+                return slot
+            widest = widest or slot
+    return widest
+
+
+def _slot_off(
+    off: float, region: Polygon, axis: Skeleton, ridges: Edges, request: PocketRequest
+) -> Polygon | None:
+    """Return what a slot along ridges opens that keeps off walls by so much [mm]; or None."""
+    radius, stepover = request.cutter_radius, request.cutting.stepover
+    inner = grow_coarsely(region, -off)
+    for gap, half in product((PARTED * stepover, ROUNDED * radius), HALF_WIDTHS):
+        wide = half * request.tool_diameter
+        edges = _parted(axis, ridges, 2 * wide + gap)
+        if not edges or inner.is_empty:
+            return None
+        pieces = shapely.multilinestrings([axis.nodes[list(edge)] for edge in edges])
+        branches = [
+            LineString(smoothed(line, SMOOTHING * radius))
+            for line in shapely.get_parts(shapely.line_merge(pieces))
+        ]
+        if sum(branch.length for branch in branches) < SHORTEST * radius:
+            return None
+        shape = shapely.union_all([grow_coarsely(branch, wide) for branch in branches])
+        start = slot_round(inner, shape, request)
+        if start is not None and isinstance(start.entry, Slot) and not start.visited.interiors:
+            fence = grow_coarsely(inner, off / 2)
+            return _smoothed(Polygon(start.entry.ring), fence, request)
+    return None
+
+
+def _smoothed(slot: Polygon, fence: Polygon, request: PocketRequest) -> Polygon:
+    """Return a slot with its corners rounded, as far as it keeps in one piece and in a fence."""
+    for share in ROUNDINGS:
+        q = share * request.cutter_radius
+        shape = grow_coarsely(grow_coarsely(grow_coarsely(slot, q), -2 * q), q)
+        whole = isinstance(shape, Polygon) and not shape.interiors
+        if whole and fence.covers(shape) and grow_coarsely(shape, q).covers(slot):
+            return oriented(shape)
+    return oriented(slot)
+
+
+def _ridges(axis: Skeleton) -> Edges:
+    """Return the edges of the axis without its forks into corners; none for a compact region."""
+    edges = peel(axis, PEELED)
+    while True:
+        spurs: set[frozenset[int]] = set()
+        neighbors = _neighbors(edges)
+        for tip in [node for node, near in neighbors.items() if len(near) == 1]:
+            branch = [tip, *neighbors[tip]]
+            while len(neighbors[branch[-1]]) == 2:
+                (ahead,) = neighbors[branch[-1]] - {branch[-2]}
+                branch.append(ahead)
+            foot = branch[-1]
+            length = float(np.hypot(*np.diff(axis.nodes[branch], axis=0).T).sum())
+            if len(neighbors[foot]) > 2 and length < SPUR * axis.clearance[foot]:
+                spurs.update(frozenset(edge) for edge in pairwise(branch))
+        if not spurs:
+            return edges
+        # all of a fork at once: the last one left would be a hook
+        edges = [edge for edge in edges if frozenset(edge) not in spurs]
+
+
+def _parted(axis: Skeleton, edges: Edges, apart: float) -> Edges:
+    """Return edges with the loops among them parted over so much [mm]."""
+    pairs: NDArray[np.intp] = np.array(edges, np.intp).reshape(-1, 2)
+    narrow = axis.clearance[pairs].min(axis=1)
+    tree = spanning_tree(len(axis.nodes), pairs, -narrow).tolist()
+    neighbors, kept = _neighbors(tree), {frozenset(edge) for edge in tree}
+    for edge in edges:
+        if frozenset(edge) in kept:
+            continue
+        for tip in edge:
+            left = (apart - float(np.hypot(*(axis.nodes[edge[0]] - axis.nodes[edge[1]])))) / 2
+            while left > 0 and len(neighbors[tip]) == 1:
+                (inner,) = neighbors[tip]
+                left -= float(np.hypot(*(axis.nodes[tip] - axis.nodes[inner])))
+                neighbors[tip].discard(inner)
+                neighbors[inner].discard(tip)
+                tip = inner
+    return [(a, b) for a, near in neighbors.items() for b in near if a < b]
+
+
+def _neighbors(edges: Edges) -> dict[int, set[int]]:
+    """Return the nodes beside each node."""
+    neighbors: dict[int, set[int]] = {}
+    for a, b in edges:
+        neighbors.setdefault(a, set()).add(b)
+        neighbors.setdefault(b, set()).add(a)
+    return neighbors

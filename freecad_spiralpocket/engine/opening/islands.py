@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Islands that a slot goes round: the bridges that join them, and their notches."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import LineString, Polygon
+
+from ..model import Floats
+from ..numerics.distinct import distinct_pairs
+from ..numerics.graphs import delaunay_triangles, spanning_tree
+from ..shapes.shaping import CRACK, closing_of, grow_coarsely, largest, thick_parts
+
+#: Notches that a ring round islands leaves deeper than this over R are taken into it, with the
+#: first of these roundings that leaves no more than that [mm]; seams are closed by so much [mm].
+NOTCH, NOTCH_ROUNDINGS, NOTCH_SLACK, SEAM = 0.15, (0.15, 0.05, 0.02, 0.005, 0.0005), 0.002, 1e-4
+
+
+def into_notches(
+    visited: Polygon,
+    shape: Polygon,
+    region: Polygon,
+    corridors: list[Polygon],
+    rounding: float,
+    radius: float,
+) -> Polygon:
+    """Return the ground that a ring round islands encloses, without their notches.
+
+    What a wide curve leaves in a notch would be cut by the full width of the cutter at the full
+    depth. The ring goes into it instead, by the widest curve that finishes it.
+
+    Parameters
+    ----------
+    visited : shapely.Polygon
+        What the ring encloses; its reentrant curves have the radius `rounding` [mm].
+    shape : shapely.Polygon
+        The islands joined by the `corridors`.
+    region : shapely.Polygon
+        The cutter-center region.
+    corridors : list of shapely.Polygon
+    rounding, radius : float
+        [mm]; `radius` is the cutter's.
+    """
+    left = thick_parts(shapely.difference(visited, shape))
+    left = left[~shapely.dwithin(left, shapely.union_all(corridors), CRACK)]
+    deep = left[_depths(left, visited) > NOTCH * radius]
+    islands = shapely.union_all([grow_coarsely(Polygon(r), NOTCH_SLACK) for r in region.interiors])
+    for finer in (r for r in radius * np.array(NOTCH_ROUNDINGS) if r < rounding):
+        if len(deep) == 0:
+            break
+        there = grow_coarsely(shapely.union_all(deep), CRACK)
+        closed = closing_of(islands, finer)
+        outside = shapely.difference(there, closed)
+        visited = shapely.difference(visited, outside)
+        visited = Polygon(largest(closing_of(visited, SEAM)).exterior)
+        left = shapely.get_parts(shapely.difference(shapely.intersection(visited, there), islands))
+        deep = left[_depths(left, visited) > NOTCH_SLACK]
+    return visited
+
+
+def _depths(pieces: NDArray[np.object_], visited: Polygon) -> Floats:
+    """Return how far pieces of ground reach away from the ring that encloses it [mm]."""
+    points, piece = shapely.get_coordinates(pieces, return_index=True)
+    depths = np.zeros(len(pieces))
+    np.maximum.at(depths, piece, shapely.distance(visited.exterior, shapely.points(points)))
+    return depths
+
+
+def bridges_between(islands: list[Polygon]) -> list[LineString]:
+    """Return the shortest lines that join all islands, as a minimum spanning tree."""
+    if len(islands) < 2:
+        return []
+    shapes = np.array(islands, dtype=object)
+    pairs = _neighbors(islands)
+    tree = spanning_tree(len(islands), pairs, shapely.distance(*shapes[pairs.T]))
+    lines = []
+    for a, b in tree.tolist():
+        line = shapely.shortest_line(islands[a], islands[b])
+        # a little into both islands, so that the corridor meets their walls
+        (x0, y0), (x1, y1) = line.coords
+        d = np.array([x1 - x0, y1 - y0])
+        d = d / (np.hypot(*d) + 1e-12)
+        lines.append(LineString([np.array([x0, y0]) - d, np.array([x1, y1]) + d]))
+    return lines
+
+
+def _neighbors(islands: list[Polygon]) -> NDArray[np.intp]:
+    """Return the pairs of islands, shape (m, 2), that see each other; O(n log n)."""
+    spacing = 0.5 * float(np.sqrt(min(i.area for i in islands)))
+    rings = [shapely.get_coordinates(i.exterior.segmentize(spacing))[:-1] for i in islands]
+    owner = np.repeat(np.arange(len(rings)), [len(r) for r in rings])
+    sides = delaunay_triangles(np.vstack(rings))[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    pairs = np.sort(owner[sides], axis=1)
+    return distinct_pairs(pairs[pairs[:, 0] != pairs[:, 1]])

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The start once round the outer wall: where its slot begins, and by which stairs it goes down.
+
+What it opens is told by outline.py, how its loops come nearer to the wall by stairs.py.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import islice
+
+import numpy as np
+import shapely
+from shapely import Polygon
+
+from ..floor import Descent, Slot
+from ..growth.front_rules import rules_of
+from ..growth.fronts import FLAT, fronts_from
+from ..growth.spiral import BLEND, between
+from ..growth.stroke_runs import begins_on
+from ..growth.strokes import strokes_of
+from ..model import PocketRequest
+from ..shapes.polyline import closed_line, located, points_at
+from ..shapes.shaping import grow_coarsely, largest, oriented, simplified_region
+from ..shapes.skeleton import Skeleton
+from .leaving import bends
+from .outline import WIDTH, outline_of
+from .slot import slot_lead
+from .stairs import leaves_crumbs, stairs_of
+from .start import Start, slot_bite
+
+#: A spiral begins beside a middle of the plug: where there is this share of the most room.
+DEEP = 0.8
+#: A wall that bends less than this is as good as straight to begin a spiral at [rad].
+STRAIGHT = 0.4
+#: So far beside corners all loops of a slot run along the wall, over R; the first that leaves
+#: nothing on the floor.
+BARE = (0.0, 0.25, 0.6)
+#: Stairs that save more than this over all stock need no comparison: of seventy pockets none lost.
+SURE = 0.085
+
+
+def wall_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start | None:
+    """Return the slot once round the wall, None where it cannot be.
+
+    Nor where it cannot begin near the start point that was asked for.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+        The cutter-center region.
+    axis : Skeleton
+        Its medial axis.
+    request : PocketRequest
+    """
+    outline = outline_of(region, request.cutter_radius)
+    if outline is None:
+        return None
+    # beside a middle of the plug lap follows lap for longest, best along a straight wall
+    deep = axis.nodes[axis.clearance > DEEP * axis.clearance.max(initial=0.0)]
+    asked = request.start_point
+    if len(deep) == 0 or asked is not None:  # too narrow for an axis, or anywhere near a place
+        deep = shapely.get_coordinates(shapely.segmentize(outline.ring, request.cutter_radius))
+    zone = BLEND * request.cutter_radius
+    leaves = located(outline.ring, deep) - zone / 2
+    bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
+    leaves = leaves[bent <= max(STRAIGHT, float(bent.min()))]
+
+    def begun(ahead: float) -> Start | None:
+        """Return the slot that begins so far ahead of where it ends, on the way back [mm]."""
+        place = (0.0, 0.0) if asked is None else asked  # programs come from the origin
+        begins = points_at(outline.ring, (leaves + ahead) % outline.ring.length)
+        away = np.hypot(*(begins - place).T)
+        if asked is not None and away.min() > request.tool_diameter:
+            return None
+        leave = float(leaves[np.argmin(away)])
+        points = between(outline.ring, leave, outline.ring.length)[:-1]
+        # the wall is cut climb; the plug lies on the other side: its laps go the other way
+        slot = Slot(np.vstack([points[:1], points[:0:-1]]), slot_bite(request))
+        ring = closed_line(points)
+        return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
+
+    down = Descent(request.axial_depth, 0.0, request.entry.helix_angle)
+    slot = Slot(shapely.get_coordinates(outline.ring)[:0:-1], slot_bite(request))
+    start = begun(0.0 if asked is None else slot_lead(slot, down))
+    wider = None if start is None else _with_stairs(start, request)
+    if asked is None or wider is None or wider is start:
+        return wider
+    assert isinstance(wider.entry, Slot)
+    moved = begun(slot_lead(wider.entry, down))  # with stairs the way down is longer
+    return start if moved is None else _with_stairs(moved, request)
+
+
+def _with_stairs(start: Start, request: PocketRequest) -> Start:
+    """Return a slot whose loops come nearer to the wall level by level, where that is worth it."""
+    radius, rules = request.cutter_radius, rules_of(request)
+    slot, region = start.entry, start.within
+    assert isinstance(slot, Slot) and region is not None
+    for bare in BARE:
+        found = stairs_of(slot.ring, region, slot.bite, request, bare)
+        if found is None:
+            break
+        stairs, saved = found
+        plug = grow_coarsely(Polygon(stairs.inner), -WIDTH * radius)
+        around = Polygon(start.visited.exterior)
+        visited = oriented(largest(shapely.difference(around, plug)))
+        # as fronts are: full of short chords it takes GEOS up to 0.1 s to grow
+        visited = simplified_region(visited, FLAT)
+        fronts = tuple(islice(fronts_from(visited, start.omega, rules), 2))
+        ring = closed_line(np.vstack([stairs.inner[:1], stairs.inner[:0:-1]]))
+        laps = strokes_of(fronts)
+        if not laps or leaves_crumbs(stairs, laps, radius):
+            continue
+        # nothing else leads onto what the stairs leave on the floor
+        if not any(begins_on(ring, lap, radius, request.cutting.stepover) for lap in laps):
+            break
+        return replace(
+            start,
+            visited=visited,
+            entry=replace(slot, ring=stairs.lines[-1], stairs=stairs),
+            ring=ring,
+            plain=start,
+            is_sure=saved > SURE,
+            fronts=fronts,
+        )
+    return start

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the proof found, in the machinist's words."""
+
+from __future__ import annotations
+
+import numpy as np
+from shapely import MultiPolygon
+
+from ..model import Notice, PocketRequest
+from .wall_steps import WallStep
+
+#: Uncut area over that of the cutter's disc that is worth telling.
+TOLD_UNCUT = 1e-3
+#: Engagement above this multiple of the limit and this much more is told [rad].
+OVER_FACTOR, OVER_MARGIN = 1.15, np.radians(4.0)
+#: Air moves may touch stock over this length [mm].
+TOUCH = 0.1
+
+Place = tuple[float, float] | None
+
+
+def over_limit(limit: float) -> float:
+    """Return the engagement angle that clearly passes the limit [rad]."""
+    return OVER_FACTOR * limit + OVER_MARGIN
+
+
+def tell_gouge(depth: float, place: Place, tolerance: float) -> list[Notice]:
+    """Tell how far the cutter passes the wall [mm]."""
+    if depth <= tolerance:
+        return []
+    return [
+        Notice(
+            f"At {{at}} the cutter cuts {depth:.3f} mm into the wall.",
+            "Do not run this path; try another strategy or step-over.",
+            place,
+        )
+    ]
+
+
+def tell_too_deep(depth: float, tolerance: float) -> list[Notice]:
+    """Tell how far the cutter passes the floor [mm]."""
+    if depth <= tolerance:
+        return []
+    return [
+        Notice(
+            f"The cutter goes {depth:.3f} mm below the floor.",
+            "Do not run this path; check the final depth and the floor stock.",
+        )
+    ]
+
+
+def tell_uncut(uncut: MultiPolygon, request: PocketRequest) -> list[Notice]:
+    """Tell how much of the floor stays uncut though the cutter could reach it."""
+    if uncut.area <= TOLD_UNCUT * np.pi * request.cutter_radius**2:
+        return []
+    largest = max(uncut.geoms, key=lambda part: part.area).representative_point()
+    return [
+        Notice(
+            f"{uncut.area:.3g} mm2 of the floor stay uncut, the largest part at {{at}}.",
+            "A smaller step-over may clear it.",
+            (float(largest.x), float(largest.y)),
+        )
+    ]
+
+
+def tell_steps(step: WallStep) -> list[Notice]:
+    """Tell how large the steps on slanted walls are, if there are any."""
+    if step.width == 0:
+        return []
+    return [
+        Notice(
+            f"Walls that are not vertical keep steps up to {step.width:.2g} mm wide and "
+            f"{step.height:.3g} mm high, the widest at {{at}}.",
+            "A smaller StepDown makes them smaller; a finishing operation removes them.",
+            step.place,
+        )
+    ]
+
+
+def tell_engagement(
+    angle: float, place: Place, share: float, is_slowed: bool, request: PocketRequest
+) -> list[Notice]:
+    """Tell where the engagement is largest, if that is clearly above the limit.
+
+    Parameters
+    ----------
+    angle : float
+        The largest engagement angle [rad].
+    place : tuple of float or None
+        Where it is, (x, y) [mm].
+    share : float
+        Of the cut, clearly passes the limit, in [0, 1].
+    is_slowed : bool
+        Whether the feed is lowered there.
+    request : PocketRequest
+    """
+    limit = request.engagement_limit
+    if angle <= over_limit(limit):
+        return []
+    percent = 100 * request.cutting.stepover / request.tool_diameter
+    hint = "Take a lower feed or a smaller SlotBite if that is too heavy for the cutter."
+    if is_slowed:
+        hint = "The feed is lowered there; take a lower one if that is too heavy for the cutter."
+    return [
+        Notice(
+            f"At {{at}} the engagement reaches {np.degrees(angle):.0f} degrees, the step-over of "
+            f"{percent:.0f} % allows {np.degrees(limit):.0f}; {100 * share:.2g} % of the cut "
+            "clearly pass that.",
+            hint,
+            place,
+        )
+    ]
+
+
+def tell_hits(kind: str, length: float, place: Place) -> list[Notice]:
+    """Tell how far moves of a kind ("rapid", "link") run through standing stock [mm].
+
+    Less than `TOUCH` is the end of a link that meets its cut a sample too early.
+    """
+    if length <= TOUCH:
+        return []
+    return [
+        Notice(
+            f"A {kind} move runs through standing stock at {{at}}, {length:.2g} mm in all.",
+            "Do not run this path; try another strategy or step-over.",
+            place,
+        )
+    ]

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the pocket's outline to the regions where the cutter's center may be.
+
+The cutter-center region is the pocket shrunk by the cutter radius and the
+stock to leave. Necks that the cutter cannot pass break it into several; what
+no center position reaches is told to the machinist with its place. Corners
+that merely keep the cutter's radius are nobody's news.
+"""
+
+from __future__ import annotations
+
+import math
+
+import shapely
+from shapely import MultiPolygon, Polygon
+from shapely.geometry.polygon import orient
+
+from ..errors import CutterDoesNotFitError
+from ..model import Notice
+
+#: Largest distance between a buffer's polygon and its true arcs [mm]; around cutter-center regions
+#: of small cutters over R.
+BUFFER_SAG, FINE_SAG = 0.001, 1 / 3000
+#: Channels wider than the cutter by less than twice this are too narrow for it, over R.
+HAIR = 0.003
+#: Chords of circles that are larger than any part are no shorter [rad]: rounding would make them 0.
+LEAST_STEP = 1e-4
+#: A left-over piece that takes a disc of this share of the cutter's radius is told about; the
+#: piece in a square corner takes 0.17.
+TOLD_SHARE = 0.3
+#: More parts than this that the cutter cannot enter are told together.
+TOLD_ONE_BY_ONE = 3
+
+
+def quad_segments(radius: float, sag: float = BUFFER_SAG) -> int:
+    """Return how many chords a quarter circle needs to keep within `sag`.
+
+    Parameters
+    ----------
+    radius, sag : float
+        [mm]
+    """
+    step = 2 * math.acos(max(-1.0, 1.0 - sag / max(abs(radius), sag)))
+    return max(8, math.ceil(math.pi / 2 / max(step, LEAST_STEP)))
+
+
+def grow(
+    shape: Polygon | MultiPolygon, distance: float, sag: float = BUFFER_SAG
+) -> Polygon | MultiPolygon:
+    """Return `shape` grown by `distance` [mm] (shrunk if negative), arcs within `sag` [mm].
+
+    For what decides where walls are; fronts are grown by `shaping.grow_coarsely`.
+    """
+    return shapely.buffer(shape, distance, quad_segs=quad_segments(distance, sag))
+
+
+def polygons_of(shape: shapely.Geometry) -> list[Polygon]:
+    """Return the polygons in `shape`, counter-clockwise, largest first (ties: lower left)."""
+    if isinstance(shape, Polygon):
+        return [] if shape.is_empty else [orient(shape)]
+    parts = shapely.get_parts(shapely.get_parts(shape))  # a collection may hold several at once
+    parts = [g for g in parts if isinstance(g, Polygon) and not g.is_empty]
+    return [orient(p) for p in sorted(parts, key=lambda p: (-p.area, p.bounds))]
+
+
+def widest_disc(shape: Polygon, tolerance: float = 0.01) -> tuple[tuple[float, float], float]:
+    """Return center and radius [mm] of the largest disc inside `shape`."""
+    line = shapely.maximum_inscribed_circle(shape, tolerance=tolerance)
+    (x, y), _ = line.coords
+    return (x, y), float(line.length)
+
+
+def center_regions(pocket: Polygon, cutter_radius: float, stock: float) -> list[Polygon]:
+    """Return where the cutter's center may be: polygons, counter-clockwise, largest first.
+
+    Parameters
+    ----------
+    pocket : shapely.Polygon
+    cutter_radius : float
+        R [mm].
+    stock : float
+        Stock to leave on the walls [mm].
+
+    Raises
+    ------
+    CutterDoesNotFitError
+        If there is no such place.
+    """
+    inset = cutter_radius + stock
+    regions = polygons_of(grow(pocket, -inset, min(BUFFER_SAG, FINE_SAG * cutter_radius)))
+    if not regions:
+        place, radius = widest_disc(pocket)
+        left = f" with {stock:g} mm of stock to leave" if stock else ""
+        raise CutterDoesNotFitError(
+            f"The {2 * cutter_radius:g} mm cutter does not fit the pocket{left}: it is "
+            f"{2 * radius:.4g} mm wide at its widest, at {{at}}.",
+            f"Take a cutter below {2 * (radius - stock):.4g} mm."
+            if radius > stock
+            else "Lower StockToLeave.",
+            place,
+        )
+    return [part for region in regions for part in without_hairs(region, cutter_radius)]
+
+
+def without_hairs(region: Polygon, radius: float) -> list[Polygon]:
+    """Return a cutter-center region without channels as wide as the cutter and no more.
+
+    There is no way to enter these, and what hangs together by one alone is cut room by room.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+    radius : float
+        R [mm].
+    """
+    half = HAIR * radius
+    cores = polygons_of(grow(region, -half))
+    if not cores or (len(cores) == 1 and len(cores[0].interiors) == len(region.interiors)):
+        return [region]
+    left = shapely.difference(region, grow(MultiPolygon(cores), 1.001 * half))
+    # corners are no longer than they are wide
+    hairs = [p for p in polygons_of(left) if shapely.minimum_bounding_radius(p) > radius / 2]
+    if not hairs:
+        return [region]
+    return polygons_of(shapely.difference(region, grow(MultiPolygon(hairs), 0.1 * half)))
+
+
+def unreachable_notices(
+    pocket: Polygon, regions: list[Polygon], cutter_radius: float, stock: float
+) -> tuple[Notice, ...]:
+    """Return a notice for each part of the pocket that the cutter cannot enter, one for many.
+
+    Parameters
+    ----------
+    pocket : shapely.Polygon
+    regions : list of shapely.Polygon
+        Its cutter-center regions.
+    cutter_radius, stock : float
+        R, and what is left on the walls [mm].
+    """
+    target = grow(pocket, -stock) if stock else pocket
+    reached = grow(MultiPolygon(regions), cutter_radius)
+    left = []
+    least = math.pi * (TOLD_SHARE * cutter_radius) ** 2
+    for piece in polygons_of(shapely.difference(target, reached)):
+        if piece.area < least:  # no such disc fits
+            continue
+        place, radius = widest_disc(piece)
+        if radius > TOLD_SHARE * cutter_radius:
+            left.append((radius, place, piece.area))
+    if len(left) > TOLD_ONE_BY_ONE:
+        radius, place, _ = max(left)
+        return (
+            Notice(
+                f"The {2 * cutter_radius:g} mm cutter does not fit {len(left)} necks, up to "
+                f"{2 * radius:.3g} mm wide, the widest at {{at}}; these parts "
+                f"({sum(area for *_, area in left):.0f} mm2) stay uncut.",
+                f"A cutter below {2 * min(left)[0]:.3g} mm reaches all of them.",
+                place,
+            ),
+        )
+    return tuple(
+        Notice(
+            f"The {2 * cutter_radius:g} mm cutter does not fit the {2 * radius:.3g} mm "
+            f"neck at {{at}}; that part ({area:.0f} mm2) stays uncut.",
+            f"A cutter below {2 * radius:.3g} mm reaches it.",
+            place,
+        )
+        for radius, place, area in left
+    )
