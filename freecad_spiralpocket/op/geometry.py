@@ -147,7 +147,7 @@ def holes(floor: Floor, sag: float) -> list[Polygon]:
 
 def is_island(floor: Floor, wire: Any) -> bool:
     """Return whether a wall rises all along the inner wire `wire`; else it is a hole."""
-    return all(floor.neighbors.wall_rises(floor.face, e) for e in wire.Edges)
+    return all(floor.adjacency.wall_rises(floor.face, e) for e in wire.Edges)
 
 
 def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floats:

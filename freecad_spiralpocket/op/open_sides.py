@@ -113,7 +113,7 @@ def lines_of(floor: Floor, sag: float) -> list[list[geometry.Piece]]:
     return [
         geometry.pieces_of(edge, sag)
         for edge in outer_wire(floor.face).Edges
-        if not floor.neighbors.wall_rises(floor.face, edge)
+        if not floor.adjacency.wall_rises(floor.face, edge)
     ]
 
 

@@ -175,7 +175,7 @@ class Pockets:
         if key not in self._known:
             try:
                 self._known[key] = selection.floor(
-                    model, names, self._known.setdefault("neighbors", {})
+                    model, names, self._known.setdefault("adjacency", {})
                 )
             except SpiralPocketError as error:
                 return error

@@ -2,12 +2,7 @@
 """From what the user selected to floors of pockets, or a sentence that says why not.
 
 A floor is a flat, level face of a solid that looks up and has a wall rising from
-its outline, or an island standing on it. Whether a wall rises or falls from an edge
-shows in the outward normal of the face on the edge's other side: it leans over the
-floor where the wall rises and away from it where the wall falls. At a fillet both are
-tangent, so there the height of the fillet's face decides. Heights decide as well
-where all of the neighbor lies on one side of the floor; bounding boxes alone would be
-wrong: an L-shaped side face of a boss is higher than the floor around it, and lower.
+its outline, or an island standing on it (adjacency.py).
 """
 
 from __future__ import annotations
@@ -16,81 +11,23 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import FreeCAD
 import Part
 
 from ..engine.errors import SelectionError, SetupError
 from . import seams
+from .adjacency import Adjacency
 from .compat import STALE_ELEMENT_ERRORS, PathUtil
 from .seams import SAME_HEIGHT
 from .solids import solids_of
 
 #: A floor may be out of level by this much [rad]: drawings are exact, IGES files are not.
 LEVEL_TOLERANCE = 1e-4
-#: Smaller parts of a normal are taken as tangent.
-_TANGENT = 1e-3
 #: Copies of a solid may differ by so much, over its volume.
 SAME_VOLUME = 1e-6
-#: Step from an edge into the floor [mm].
-_ASIDE = 1e-3
 
 _PICK_A_FLOOR = "Select the floor of the pocket, a flat level face with walls around it."
 #: Where seams part a floor.
 PICK_ALL = "Select all faces that make the floor, or refine the part."
-
-
-class Neighbors:
-    """The faces of a solid by number: which of them meet, and how high each reaches.
-
-    FreeCAD makes the edges of a face, and computes its box, anew whenever it is asked: with
-    thousands of walls that takes longer than the rest.
-
-    Attributes
-    ----------
-    faces : list of Part.Face
-    """
-
-    def __init__(self, solid: Any) -> None:
-        self.faces: list[Any] = solid.Faces
-        self._numbers = {face.hashCode(): i for i, face in enumerate(self.faces)}
-        self._at: dict[int, list[int]] = {}
-        self._edges: list[list[int]] = []
-        self._heights: dict[int, tuple[float, float]] = {}
-        self._rises: dict[tuple[int | None, int], bool] = {}
-        for i, face in enumerate(self.faces):
-            # the edges of wires in their order come sooner than those of faces, an only wire sooner
-            # as the outer one
-            wires = [face.OuterWire] if face.countSubElements("Wire") == 1 else face.Wires
-            edges = [edge.hashCode() for wire in wires for edge in wire.OrderedEdges]
-            self._edges.append(edges)
-            for edge in edges:
-                self._at.setdefault(edge, []).append(i)
-
-    def number(self, face: Any) -> int | None:
-        """Return the number of a face, None if it is another solid's."""
-        return self._numbers.get(face.hashCode())
-
-    def at(self, edge: Any) -> list[int]:
-        """Return the faces at an edge."""
-        return self._at.get(edge.hashCode(), [])
-
-    def around(self, face: int) -> set[int]:
-        """Return the faces at the edges of a face, itself among them."""
-        return {other for edge in self._edges[face] for other in self._at[edge]}
-
-    def wall_rises(self, face: Any, edge: Any) -> bool:
-        """Return whether material rises from an edge of a level face."""
-        key = self.number(face), edge.hashCode()
-        if key not in self._rises:
-            self._rises[key] = _wall_rises(self, key[0], face, edge)
-        return self._rises[key]
-
-    def heights(self, face: int) -> tuple[float, float]:
-        """Return Z of the lowest and of the highest point of a face [mm]."""
-        if face not in self._heights:
-            box = self.faces[face].BoundBox
-            self._heights[face] = box.ZMin, box.ZMax
-        return self._heights[face]
 
 
 @dataclass(frozen=True)
@@ -110,7 +47,7 @@ class Floor:
         How many edges of the outline have no wall.
     goes_on : bool
         Whether another face of the solid carries it on beyond its outline.
-    neighbors : Neighbors
+    adjacency : Adjacency
         Of the solid.
     """
 
@@ -121,7 +58,7 @@ class Floor:
     z: float
     open_edges: int
     goes_on: bool
-    neighbors: Neighbors
+    adjacency: Adjacency
 
     @property
     def label(self) -> str:
@@ -166,7 +103,7 @@ def floor(
     model : object
     names : str or sequence of str
     known : dict, optional
-        Neighbors of solids by their hash code, and solids of shapes; is added to.
+        Of solids by their hash code, and solids of shapes; is added to.
     shape : object, optional
         The model's, fetched before: that of a link or a group is another one each time.
 
@@ -184,8 +121,8 @@ def floor(
         if face.ShapeType != "Face":
             raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
         _check_level(face, where)
-    solid, neighbors = _solid_of(shape, faces[0], where, known)
-    faces = [_same_face(neighbors, face) or face for face in faces]
+    solid, adjacency = _solid_of(shape, faces[0], where, known)
+    faces = [adjacency.same_as(face) or face for face in faces]
     face = faces[0]
     if _normal_of_plane(face).z < 0:
         raise SelectionError(
@@ -199,18 +136,18 @@ def floor(
                 "Refine the part (Part workbench, Refine Shape), or select one of them.",
             )
         solid, face = whole
-        neighbors = Neighbors(solid)
+        adjacency = Adjacency(solid)
     edges = outer_wire(face).Edges
     z = face.BoundBox.ZMin
-    walled = sum(neighbors.wall_rises(face, e) for e in edges)
-    goes_on = any(_goes_on(neighbors, face, z, e) for e in edges)
-    if not walled and not any(neighbors.wall_rises(face, e) for e in face.Edges):
+    walled = sum(adjacency.wall_rises(face, e) for e in edges)
+    goes_on = any(adjacency.goes_on(face, z, e) for e in edges)
+    if not walled and not any(adjacency.wall_rises(face, e) for e in face.Edges):
         raise SelectionError(
             f"{where} is not the floor of a pocket: no wall rises from it.",
             PICK_ALL if goes_on else _PICK_A_FLOOR,
         )
     open_edges = len(edges) - walled
-    return Floor(model, ", ".join(names), face, solid, z, open_edges, goes_on, neighbors)
+    return Floor(model, ", ".join(names), face, solid, z, open_edges, goes_on, adjacency)
 
 
 def heights(base: list[tuple[Any, Any]]) -> list[float]:
@@ -318,41 +255,22 @@ def _normal_of_plane(face: Any) -> Any:
     return face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
 
 
-def _solid_of(shape: Any, face: Any, where: str, known: dict[Any, Any]) -> tuple[Any, Neighbors]:
-    """Return the closed solid that a level face bounds, and the neighbors in it."""
+def _solid_of(shape: Any, face: Any, where: str, known: dict[Any, Any]) -> tuple[Any, Adjacency]:
+    """Return the closed solid that a level face bounds, and its adjacency."""
     solids = solids_of(shape, known)
-    for is_its in (_is_in, _same_face):  # sewing makes new faces
+    for find in (Adjacency.number, Adjacency.same_as):  # sewing makes new faces
         for solid in solids:
             key = solid.hashCode()
             if key not in known:
-                known[key] = Neighbors(solid)
-            if is_its(known[key], face) and all(shell.isClosed() for shell in solid.Shells):
+                known[key] = Adjacency(solid)
+            if find(known[key], face) is not None and all(
+                shell.isClosed() for shell in solid.Shells
+            ):
                 return solid, known[key]
     raise SelectionError(
         f"The part with {where} is an open shell, not a closed solid.",
         "Close it first (Part workbench, Check Geometry and Convert to Solid).",
     )
-
-
-def _is_in(neighbors: Neighbors, face: Any) -> bool:
-    return neighbors.number(face) is not None
-
-
-def _same_face(neighbors: Neighbors, face: Any) -> Any:
-    """Return the face of a solid that is at the place of a level face, None if there is none."""
-    number = neighbors.number(face)
-    if number is not None:
-        return neighbors.faces[number]
-    z, center, area = face.BoundBox.ZMin, face.CenterOfMass, face.Area
-    for number, other in enumerate(neighbors.faces):
-        low, high = neighbors.heights(number)
-        if (
-            max(abs(low - z), abs(high - z)) < SAME_HEIGHT
-            and other.CenterOfMass.isEqual(center, SAME_HEIGHT)
-            and abs(other.Area - area) <= SAME_HEIGHT * area
-        ):
-            return other
-    return None
 
 
 def outer_wire(face: Any) -> Any:
@@ -365,41 +283,9 @@ def outer_wire(face: Any) -> Any:
     return max(face.Wires, key=lambda wire: wire.BoundBox.DiagonalLength)
 
 
-def _wall_rises(neighbors: Neighbors, own: int | None, face: Any, edge: Any) -> bool:
-    """Return whether material rises from `edge` of the level face `face` of number `own`."""
-    other = next((n for n in neighbors.at(edge) if n != own), None)
-    if other is None:
-        return False
-    z, (low, high) = neighbors.heights(own)[0], neighbors.heights(other)
-    above, below = high > z + SAME_HEIGHT, low < z - SAME_HEIGHT
-    if above != below:
-        return bool(above)
-    t0, t1 = edge.ParameterRange
-    t = (t0 + t1) / 2
-    point = edge.valueAt(t)
-    inward = FreeCAD.Vector(0, 0, 1).cross(edge.tangentAt(t))
-    if inward.Length < _TANGENT:
-        return bool(above)
-    inward.normalize()
-    if not face.isInside(point + inward * _ASIDE, _ASIDE / 10, True):
-        inward = inward * -1
-    neighbor = neighbors.faces[other]
-    lean = neighbor.normalAt(*neighbor.Surface.parameter(point)).dot(inward)
-    if abs(lean) > _TANGENT:
-        return lean > 0
-    return bool(above)
-
-
-def _goes_on(neighbors: Neighbors, face: Any, z: float, edge: Any) -> bool:
-    """Return whether another level face at Z `z` begins at an edge of the level face `face`."""
-    own = neighbors.number(face)
-    others = (neighbors.heights(number) for number in neighbors.at(edge) if number != own)
-    return any(max(abs(low - z), abs(high - z)) < SAME_HEIGHT for low, high in others)
-
-
 def find_floors(model: Any) -> Iterator[Floor]:
     """Yield every face of `model` that is the floor of a pocket, walled all around."""
-    known: dict[int, Neighbors] = {}
+    known: dict[int, Adjacency] = {}
     shape = model.Shape
     for number in range(1, len(shape.Faces) + 1):
         try:

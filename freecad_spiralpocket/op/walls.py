@@ -79,7 +79,7 @@ class Walls:
         others: Sequence[Any] = (),
     ) -> None:
         self._floor, self._sag, self._use_outline = floor, sag, use_outline
-        self._neighbors = floor.neighbors
+        self._adjacency = floor.adjacency
         self._outline = geometry.polygon(floor, sag, use_outline=use_outline)
         posts = [] if use_outline else list(self._in_holes())
         if posts:
@@ -91,8 +91,8 @@ class Walls:
         self._core: Polygon | None = None
         self._hairs: list[Polygon] = []
         reached = list(self._reached(posts))
-        self._around = [self._neighbors.faces[face] for face in reached]
-        self._heights = [self._neighbors.heights(face) for face in reached]
+        self._around = [self._adjacency.faces[face] for face in reached]
+        self._heights = [self._adjacency.heights(face) for face in reached]
         self._fence = _fence(floor, sag) if floor.open_edges else None
         self._open = open_sides
         self._others = others
@@ -168,41 +168,41 @@ class Walls:
 
         `posts` are faces that no edge of the floor leads to.
         """
-        floor, neighbors = self._floor, self._neighbors
+        floor, adjacency = self._floor, self._adjacency
         wires = [w for w in floor.face.Wires if self._is_wall(w)]
-        seen = {neighbors.number(floor.face)}
+        seen = {adjacency.number(floor.face)}
         front = [
             face
             for wire in wires
             for edge in wire.Edges
-            if neighbors.wall_rises(floor.face, edge)
-            for face in neighbors.at(edge)
+            if adjacency.wall_rises(floor.face, edge)
+            for face in adjacency.at(edge)
         ]
-        front += [number for post in posts if (number := neighbors.number(post)) is not None]
+        front += [number for post in posts if (number := adjacency.number(post)) is not None]
         while front:
             face = front.pop()
             if face in seen:
                 continue
             seen.add(face)
-            low, high = neighbors.heights(face)
+            low, high = adjacency.heights(face)
             if high < floor.z + SAME_HEIGHT:
                 continue
             yield face
-            is_flat = high - low <= SAME_HEIGHT and is_level(neighbors.faces[face])
+            is_flat = high - low <= SAME_HEIGHT and is_level(adjacency.faces[face])
             if not (is_flat and self._is_summit(face)):
-                front += neighbors.around(face) - seen
+                front += adjacency.around(face) - seen
 
     def _is_summit(self, face: int) -> bool:
         """Return whether nothing rises from a level face."""
-        neighbors = self._neighbors
-        z = neighbors.heights(face)[1] + SAME_HEIGHT
-        if not any(neighbors.heights(f)[1] > z for f in neighbors.around(face)):
+        adjacency = self._adjacency
+        z = adjacency.heights(face)[1] + SAME_HEIGHT
+        if not any(adjacency.heights(f)[1] > z for f in adjacency.around(face)):
             return True
-        flat = neighbors.faces[face]
+        flat = adjacency.faces[face]
         higher = (
-            e for e in flat.Edges if any(neighbors.heights(f)[1] > z for f in neighbors.at(e))
+            e for e in flat.Edges if any(adjacency.heights(f)[1] > z for f in adjacency.at(e))
         )
-        return not any(neighbors.wall_rises(flat, e) for e in higher)
+        return not any(adjacency.wall_rises(flat, e) for e in higher)
 
     def _is_wall(self, wire: Any) -> bool:
         return not self._use_outline or wire.isSame(outer_wire(self._floor.face))
