@@ -65,11 +65,15 @@ class Slot:
         Largest axial depth of one level [mm].
     stairs : Stairs or None
         Where its loops run, if not all along the ring; it ends on the inner line then.
+    wall : ndarray of shape (n, 2) or None
+        Where the last loop runs, point beside point of the ring, if it runs out into corners
+        [mm]; with stairs their last line does.
     """
 
     ring: Floats
     bite: float
     stairs: Stairs | None = None
+    wall: Floats | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

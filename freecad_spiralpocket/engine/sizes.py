@@ -114,8 +114,9 @@ def _resized_entry(entry: WayDown, factor: float) -> WayDown:
         return _times(entry, factor, ["center", "radius"])
     if isinstance(entry, Slot):
         slot = _times(entry, factor, ["ring", "bite"])
-        stairs = slot.stairs
-        return replace(slot, stairs=stairs and _times(stairs, factor, ["lines", "inner"]))
+        stairs, wall = slot.stairs, slot.wall
+        stairs = stairs and _times(stairs, factor, ["lines", "inner"])
+        return replace(slot, stairs=stairs, wall=None if wall is None else factor * wall)
     if isinstance(entry, Plunge):
         return Plunge(factor * entry.place)
     lengths = _times(entry, factor, ["ring", "trunk", "bite"])

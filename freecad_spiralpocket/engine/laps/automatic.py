@@ -165,7 +165,7 @@ def _fastest(
         links = sum(step.link is None or len(step.link) > 0 for step in laid.all_steps)
         if best.is_beaten_by(toll * seconds, links):
             best = _Best(start, laid, toll * seconds, links)
-        if start.plain is not None and not start.is_sure and links > 1:
+        if start.plain is not None and not start.is_sure and links > 0:
             more = entry_seconds(start.plain, request, motion) - entry
             more += _least_left(start.plain.visited, start.plain, rules, motion)
             more -= _least_left(start.visited, start, rules, motion)

@@ -77,7 +77,10 @@ def entry_seconds(start: Start, request: PocketRequest, motion: Motion) -> float
     if entry.stairs is not None:
         return way_seconds(slot_path(entry, down), request, motion)
     levels = slot_levels(entry, angle, depth)
-    return levels * once + depth / levels / math.tan(angle) / motion.cut_feed
+    last = once
+    if entry.wall is not None:
+        last = way_seconds(np.vstack([entry.wall, entry.wall[:1]]), request, motion)
+    return (levels - 1) * once + last + depth / levels / math.tan(angle) / motion.cut_feed
 
 
 def least_seconds(strokes: list[Stroke], motion: Motion) -> float:

@@ -28,7 +28,7 @@ from ..shapes.shaping import CRACK, Region, are_within, grow_coarsely, largest, 
 #: second where the first leaves more than `CRUMB` but the second no more than `DONE` [mm]; and
 #: with the next where one leaves more than `ACUTE` [mm]: the full width of the cutter goes into
 #: that, at the full depth.
-ROUNDINGS = (0.15, 0.05, 0.02, 0.005, 0.002)
+ROUNDINGS = (0.1, 0.05, 0.02, 0.005, 0.002)
 CRUMB, DONE, ACUTE = 0.005, 0.01, 0.5
 #: Width of the ground that the slot opens for the cutter's center, over R.
 WIDTH = 0.01

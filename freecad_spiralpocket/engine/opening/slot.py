@@ -81,16 +81,19 @@ def slot_path(slot: Slot, down: Descent) -> Floats:
     bounds = np.column_stack([begins, knees]).ravel()
     heights = np.interp(s, bounds, np.column_stack([floors + drops, floors]).ravel())
     if len(lines) == 1:
-        return np.column_stack([points_at(ring, s % length), heights])
+        points = points_at(ring, s % length)
+        if slot.wall is not None:
+            last = s >= knees[-1]
+            points[last] = beside(slot.wall, corners, s[last] % length)
+        return np.column_stack([points, heights])
     line = np.zeros(len(s))  # on which line, or between which two
     for begin, aside in zip(np.append(knees[1:], -asides[-1]), asides[1:], strict=True):
         line += s_curve((s - begin) / max(aside, 1e-9))
     points = np.zeros((len(s), 2))
-    for number, coords in enumerate(np.concatenate([lines, lines[:, :1]], axis=1)):
+    for number, line_points in enumerate(lines):
         share = np.maximum(1 - np.abs(line - number), 0.0)
         on = np.flatnonzero(share)
-        beside = [np.interp(s[on] % length, corners, column) for column in coords.T]
-        points[on] += share[on, None] * np.column_stack(beside)
+        points[on] += share[on, None] * beside(line_points, corners, s[on] % length)
     return np.column_stack([points, heights])
 
 
@@ -124,6 +127,16 @@ def _loops(slot: Slot, down: Descent) -> tuple[Floats, Floats, Floats, Floats]:
         drops = down.depth * stairs.drops
     ramps = drops / math.tan(down.angle)
     return drops, ramps * _stretch(lines[0], slot.ring, ramps[0]), lines, asides
+
+
+def beside(line: Floats, along: Floats, at: Floats) -> Floats:
+    """Return the points of a closed line beside places along the ring.
+
+    Its points, of which the first is not repeated, are beside the places `along` it, the last of
+    which is the first again.
+    """
+    closed = np.vstack([line, line[:1]])
+    return np.column_stack([np.interp(at, along, column) for column in closed.T])
 
 
 def _stretch(line: Floats, ring: Floats, length: float) -> float:

@@ -19,13 +19,15 @@ from ..growth.fronts import FLAT, fronts_from
 from ..growth.spiral import BLEND, between
 from ..growth.stroke_runs import begins_on
 from ..growth.strokes import strokes_of
-from ..model import PocketRequest
+from ..model import Floats, PocketRequest
+from ..shapes.points import distances_along
 from ..shapes.polyline import closed_line, located, points_at
 from ..shapes.shaping import grow_coarsely, largest, oriented, simplified_region
 from ..shapes.skeleton import Skeleton
 from .leaving import bends
 from .outline import WIDTH, outline_of
-from .slot import slot_lead
+from .sharp_corners import run_into_corners
+from .slot import beside, slot_lead
 from .stairs import leaves_crumbs, stairs_of
 from .start import Start, slot_bite
 
@@ -77,25 +79,40 @@ def wall_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start 
         points = between(outline.ring, leave, outline.ring.length)[:-1]
         # the wall is cut climb; the plug lies on the other side: its laps go the other way
         slot = Slot(np.vstack([points[:1], points[:0:-1]]), slot_bite(request))
-        ring = closed_line(points)
-        return Start("outline", outline.visited, outline.omega, slot, ring, outline.within)
+        slot, within = _into_corners(slot, region, outline.within)
+        return Start("outline", outline.visited, outline.omega, slot, closed_line(points), within)
 
     down = Descent(request.axial_depth, 0.0, request.entry.helix_angle)
     slot = Slot(shapely.get_coordinates(outline.ring)[:0:-1], slot_bite(request))
     start = begun(0.0 if asked is None else slot_lead(slot, down))
-    wider = None if start is None else _with_stairs(start, request)
+    wider = None if start is None else _with_stairs(start, outline.within, request)
     if asked is None or wider is None or wider is start:
         return wider
     assert isinstance(wider.entry, Slot)
     moved = begun(slot_lead(wider.entry, down))  # with stairs the way down is longer
-    return start if moved is None else _with_stairs(moved, request)
+    return start if moved is None else _with_stairs(moved, outline.within, request)
 
 
-def _with_stairs(start: Start, request: PocketRequest) -> Start:
-    """Return a slot whose loops come nearer to the wall level by level, where that is worth it."""
+def _into_corners(slot: Slot, region: Polygon, rounded: Polygon) -> tuple[Slot, Polygon]:
+    """Return a slot whose last loop runs into sharp corners, and all of the region within it."""
+    found = run_into_corners(slot.ring, region)
+    if found is None:
+        return slot, rounded
+    ring, wall = found
+    within = shapely.intersection(Polygon(wall), region)
+    if not isinstance(within, Polygon) or len(within.interiors) != len(region.interiors):
+        return slot, rounded
+    return replace(slot, ring=ring, wall=wall), oriented(within)
+
+
+def _with_stairs(start: Start, region: Polygon, request: PocketRequest) -> Start:
+    """Return a slot whose loops come nearer to the wall level by level, where that is worth it.
+
+    The corners of the region are rounded as the slot does.
+    """
     radius, rules = request.cutter_radius, rules_of(request)
-    slot, region = start.entry, start.within
-    assert isinstance(slot, Slot) and region is not None
+    slot = start.entry
+    assert isinstance(slot, Slot)
     for bare in BARE:
         found = stairs_of(slot.ring, region, slot.bite, request, bare)
         if found is None:
@@ -114,13 +131,24 @@ def _with_stairs(start: Start, request: PocketRequest) -> Start:
         # nothing else leads onto what the stairs leave on the floor
         if not any(begins_on(ring, lap, radius, request.cutting.stepover) for lap in laps):
             break
+        if slot.wall is not None:
+            stairs = replace(stairs, lines=_last_into_corners(stairs.lines, slot))
         return replace(
             start,
             visited=visited,
-            entry=replace(slot, ring=stairs.lines[-1], stairs=stairs),
+            entry=Slot(stairs.lines[-1], slot.bite, stairs),
             ring=ring,
             plain=start,
             is_sure=saved > SURE,
             fronts=fronts,
         )
     return start
+
+
+def _last_into_corners(lines: Floats, slot: Slot) -> Floats:
+    """Return the lines of stairs, the last of them where the slot runs into corners."""
+    assert slot.wall is not None
+    ring, last = closed_line(slot.ring), lines[-1]
+    along = distances_along(np.vstack([last, last[:1]]))[:-1]
+    wall = beside(slot.wall, distances_along(shapely.get_coordinates(ring)), along)
+    return np.concatenate([lines[:-1], wall[None]])
