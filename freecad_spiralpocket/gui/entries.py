@@ -28,6 +28,10 @@ translate = FreeCAD.Qt.translate
 UNREADABLE = (RuntimeError, ValueError, ArithmeticError, TypeError, AttributeError, NameError)
 #: Digits that a value is shown with where FreeCAD's decimals hide some, and decimals at most.
 DIGITS, MOST_DECIMALS = 6, 9
+#: How much FreeCAD's decimals may hide, as a share, where the exact value stands in another box.
+ROUNDED = 0.005
+#: What a box needs beside its text, for arrows and the sign of expressions, in the font's height.
+AROUND = 3.5
 #: A larger length, speed or angle (mm, mm/s, deg) is a slip of the hand, whatever the box allows.
 MOST = 1e6
 
@@ -152,7 +156,7 @@ class Entry:
         self._line.setValidator(None)  # would swallow single keys
         self._line.textEdited.connect(self._note)
         self._line.textChanged.connect(self._show_known)
-        self._known, self._typed = "", None
+        self._known, self._typed, self._value = "", None, 0.0
         self._rounded = ""  # what the box shows for the known value of its own accord
         self._before: dict[str, Any] = {}
         self.is_refused = False
@@ -172,7 +176,7 @@ class Entry:
         The box would set a text that is out of its range to something else, as if that was entered.
         """
         low, high = self._limits()
-        value = min(max(value, low), high)
+        self._value = value = min(max(value, low), high)
         self._rounded = ""
         was_blocked = self.box.blockSignals(True)
         self.box.setProperty(self._property, value)
@@ -182,6 +186,7 @@ class Entry:
             self._set_text(self.scale.text(value, DIGITS if self._is_exact else 4))
         self._rounded = text
         self._known, self._typed, self.is_refused = self._line.text(), None, False
+        self._make_room()
 
     def entered(self) -> float | None:
         """Return a value that was entered since the last call, None for none or a refused one."""
@@ -191,6 +196,9 @@ class Entry:
         self._known, self._rounded = text, ""
         if self._typed is None:  # by the arrows or the wheel
             value = float(self.box.property(self._property))
+            if not self._allows(value):  # they stop there; or the box has misread what it shows
+                self.show(self._value)
+                return None
         elif text == self._typed:
             read = self.scale.read(text, self._obj)
             value = math.nan if read is None else read
@@ -256,10 +264,16 @@ class Entry:
     def _tells(self, text: str, value: float) -> bool:
         """Return whether FreeCAD's text is in the user's unit and leaves nothing out."""
         told = self.scale.read(text, self._obj)
-        if told is None:  # in feet and fractions of an inch
-            return True
-        is_whole = math.isclose(told, value, rel_tol=10.0**-DIGITS, abs_tol=1e-12)
-        return text.endswith(self.scale.unit) and (is_whole or not self._is_exact)
+        if told is None:
+            return False
+        leeway = 10.0**-DIGITS if self._is_exact else ROUNDED
+        return text.endswith(self.scale.unit) and math.isclose(told, value, rel_tol=leeway)
+
+    def _make_room(self) -> None:
+        """Let the box be wide enough for what it shows; a row that is too wide is wrapped."""
+        metrics = self.box.fontMetrics()
+        wide = metrics.horizontalAdvance(self._known) + int(AROUND * metrics.height())
+        self.box.setMinimumWidth(max(wide, self.box.minimumWidth()))
 
     def _limits(self) -> tuple[float, float]:
         """Return the least and the largest value."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """All of the panel can be read with large letters, long words and little room."""
 
+import FreeCAD
 import FreeCADGui
 import pytest
 from PySide import QtCore, QtGui
@@ -12,6 +13,7 @@ from window import (
     press_toolbar_button,
     pump,
     select,
+    set_units,
     wait_for,
     widget,
 )
@@ -19,14 +21,23 @@ from window import (
 from freecad_spiralpocket.gui.previewlegend import Swatches
 from freecad_spiralpocket.gui.room import DOCKS
 
+MILLIMETERS, INCHES = 0, 3  # FreeCAD's numbers for them
 NARROW = 300  # pixels
 CHOICES = ("strategy", "cutMode", "machine", "feedMode")
 
 
-@pytest.fixture(params=[("English", 0, NARROW), ("German", 15, 0), ("Spanish", 15, 0)])
+@pytest.fixture(
+    params=[
+        ("English", 0, NARROW, MILLIMETERS),
+        ("English", 0, 0, INCHES),
+        ("German", 15, 0, MILLIMETERS),
+        ("Spanish", 15, 0, INCHES),
+    ]
+)
 def form(request, job, floor):
-    """Return the page of a new operation in a language, a size of letters and a width."""
-    language, size, width = request.param
+    """Return the page of a new operation in a language, a size of letters, a width and units."""
+    language, size, width, units = request.param
+    set_units(job.Document, units)
     application = QtGui.QApplication.instance()
     before, large = application.font(), application.font()
     if size:
@@ -44,6 +55,7 @@ def form(request, job, floor):
     press(CANCEL)
     application.setFont(before)
     FreeCADGui.setLocale("English")
+    FreeCAD.Units.setSchema(MILLIMETERS)
     pump(0.3)
 
 
@@ -84,7 +96,7 @@ def test_nothing_is_cut_off(form):
     for box in form.findChildren(QtGui.QAbstractSpinBox):
         if box.isVisible():
             text = box.fontMetrics().horizontalAdvance(box.text())
-            assert text + 2.3 * box.fontMetrics().height() < box.width(), box.objectName()
+            assert text + 3.4 * box.fontMetrics().height() < box.width(), box.objectName()
 
 
 def test_names_of_colors_do_not_run_into_each_other(form):

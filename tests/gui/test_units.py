@@ -16,6 +16,7 @@ from window import (
     press_toolbar_button,
     pump,
     select,
+    set_units,
     type_into,
     wait_for,
     widget,
@@ -24,6 +25,7 @@ from window import (
 from freecad_spiralpocket.gui.localized import in_panel
 
 INCHES = 3  # FreeCAD's number for inches with decimals
+METERS, CENTIMETERS, INCH_FRACTIONS, FEET = 1, 4, 5, 7
 
 #: The fields in the order in which the Tab key reaches them.
 TAB_ORDER = [
@@ -61,10 +63,15 @@ TAB_ORDER = [
 @pytest.fixture
 def inches(job):
     """Let the user work in inches."""
-    FreeCAD.Units.setSchema(INCHES)
-    if hasattr(job.Document, "UnitSystem"):  # since 1.0 documents have a unit system of their own
-        systems = job.Document.getEnumerationsOfProperty("UnitSystem")
-        job.Document.UnitSystem = systems[INCHES]
+    set_units(job.Document, INCHES)
+    yield
+    FreeCAD.Units.setSchema(0)
+
+
+@pytest.fixture(params=[METERS, INCHES, CENTIMETERS, INCH_FRACTIONS, FEET])
+def units(request, job):
+    """Let the user work in units of which FreeCAD's two decimals are coarse."""
+    set_units(job.Document, request.param)
     yield
     FreeCAD.Units.setSchema(0)
 
@@ -93,7 +100,7 @@ def test_length_is_shown_in_the_users_unit(inches, operation):
 
 
 def test_what_the_boxes_round_away_is_not_written(inches, operation):
-    assert text(widget("stepOver"))[0] == "0.09"
+    assert text(widget("stepOver"))[0] == "0.09449"
     operation.StockToLeave = 0.1234
     widget("helixAngle").setProperty("rawValue", 4.0)
     pump()
@@ -101,6 +108,27 @@ def test_what_the_boxes_round_away_is_not_written(inches, operation):
     assert operation.Tolerance.Value == pytest.approx(0.01)
     assert operation.StockToLeave.Value == pytest.approx(0.1234)
     assert (operation.StepOver, operation.MaxEngagement.Value) == (40, 0)
+
+
+def shown_texts():
+    """Return what all boxes show by their names."""
+    entries = [e for field in panel().operation_page.fields for e in field.entries]
+    return {e.box.objectName(): e.box.text() for e in entries}
+
+
+def test_a_look_at_other_pages_changes_nothing(units, operation):
+    widget("advanced").setChecked(True)
+    pump()
+    before = shown_texts()
+    pages = panel().form[0]
+    for index in (0, pages.count() - 1, 1, pages.count() - 1):
+        pages.setCurrentIndex(index)
+        pump()
+    assert shown_texts() == before
+    assert operation.Tolerance.Value == pytest.approx(0.01)
+    with answered() as answer:
+        press(OK)
+    assert not answer.texts and not is_panel_open()
 
 
 @pytest.mark.parametrize(

@@ -90,6 +90,13 @@ def press_toolbar_button():
     pump(AFTER_PRESS)
 
 
+def set_units(document, number):
+    """Choose units by FreeCAD's number for them."""
+    FreeCAD.Units.setSchema(number)
+    if hasattr(document, "UnitSystem"):  # since 1.0 documents have a unit system of their own
+        document.UnitSystem = document.getEnumerationsOfProperty("UnitSystem")[number]
+
+
 def is_panel_open():
     """Return whether a task panel is open."""
     return bool(FreeCADGui.Control.activeDialog())
