@@ -18,7 +18,12 @@ from ..op.compat import parent_job, supplied_tool_controller
 from ..op.properties import INHERITED, TABLE, option_names
 from .basepage import BaseGeometryPage
 from .choices import strategy_note
-from .compat import PathOpGui, PathUtils, has_tool_controller_editor
+from .compat import (
+    PathOpGui,
+    PathUtils,
+    has_tool_controller_editor,
+    write_no_rounded_feeds,
+)
 from .extras import FACTORIES, Extra
 from .fields import Check, Choice, Field, LinkFeed, Number, Quantity, silent
 from .later import later
@@ -130,6 +135,8 @@ class OperationPage(PathOpGui.TaskPanelPage):
         first = next(iter(PathUtils.getToolControllers(self.obj)), None)
         with rightly_named(), supplied_tool_controller(first):
             super().setupToolController(*obj_and_combo)
+        if getattr(self, "tcEditor", None):
+            write_no_rounded_feeds(self.tcEditor)
         combo, controller = self.form.toolController, self.obj.ToolController
         if controller is None or combo.currentText() != controller.Label:
             with silent(combo):

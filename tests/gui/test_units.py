@@ -22,6 +22,7 @@ from window import (
     widget,
 )
 
+from freecad_spiralpocket.gui.compat import has_tool_controller_editor
 from freecad_spiralpocket.gui.localized import in_panel
 
 INCHES = 3  # FreeCAD's number for inches with decimals
@@ -129,6 +130,33 @@ def test_a_look_at_other_pages_changes_nothing(units, operation):
     with answered() as answer:
         press(OK)
     assert not answer.texts and not is_panel_open()
+
+
+def test_feeds_of_the_tool_controller_stay_as_they_are(units, job, floor):
+    (controller,) = job.Tools.Group
+    controller.HorizFeed = controller.VertFeed = 25.004
+    select(floor)
+    press_toolbar_button()
+    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    with answered():
+        press(OK)
+    assert (controller.HorizFeed.Value, controller.VertFeed.Value) == (25.004, 25.004)
+
+
+@pytest.mark.skipif(not has_tool_controller_editor(), reason="the panel has no such editor")
+def test_feed_that_is_typed_in_the_editor_is_taken_alone(units, operation):
+    controller = operation.ToolController
+    controller.VertFeed = 25.004
+    widget("editToolController").setChecked(True)
+    pump()
+    box = panel().operation_page.tcEditor.horizFeed.widget
+    box.setProperty("rawValue", 40.0)
+    pump()
+    with answered():
+        press(OK)
+    assert controller.HorizFeed.Value == pytest.approx(40, rel=0.2)  # rounded by FreeCAD
+    assert controller.HorizFeed.Value != 25
+    assert controller.VertFeed.Value == 25.004
 
 
 @pytest.mark.parametrize(
