@@ -8,7 +8,6 @@ and `command` do without it.
 
 from __future__ import annotations
 
-import weakref
 from typing import Any
 
 from PathScripts import PathUtils
@@ -33,7 +32,6 @@ __all__ = [
     "freecad_icon",
     "has_tool_controller_editor",
     "run_dialog",
-    "write_no_rounded_feeds",
 ]
 
 
@@ -79,28 +77,6 @@ def check_box_signal(box: Any) -> Any:
 def has_tool_controller_editor() -> bool:
     """Return whether the panel can unfold the tool controller's own editor (1.1 and later)."""
     return hasattr(PathOpGui.TaskPanelPage, "updateToolControllerEditorVisibility")
-
-
-def write_no_rounded_feeds(editor: Any) -> None:
-    """Let the editor of a tool controller leave the feeds alone that nobody has entered.
-
-    FreeCAD 1.1 writes all as they are shown with every change in the panel: 0.025 m/s as 0.03 m/s.
-    """
-    found = weakref.ref(editor)
-
-    def write() -> None:
-        editor = found()
-        feeds = (editor.horizFeed, editor.vertFeed, editor.horizRapid, editor.vertRapid)
-        same = [f for f in feeds if f.valid and f.widget.text() == f.lastWidgetText]
-        for feed in same:
-            feed.valid = False
-        try:
-            type(editor).updateToolController(editor)
-        finally:
-            for feed in same:
-                feed.valid = True
-
-    editor.updateToolController = write
 
 
 def run_dialog(dialog: QtGui.QDialog) -> int:

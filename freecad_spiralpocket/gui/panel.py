@@ -18,16 +18,12 @@ from ..op.compat import parent_job, supplied_tool_controller
 from ..op.properties import INHERITED, TABLE, option_names
 from .basepage import BaseGeometryPage
 from .choices import strategy_note
-from .compat import (
-    PathOpGui,
-    PathUtils,
-    has_tool_controller_editor,
-    write_no_rounded_feeds,
-)
+from .compat import PathOpGui, PathUtils, has_tool_controller_editor
 from .extras import FACTORIES, Extra
 from .fields import Check, Choice, Field, LinkFeed, Number, Quantity, silent
 from .later import later
 from .names import load_form, rightly_named
+from .rounded import write_no_rounded_feeds
 from .startpoint import StartPointField
 from .startup import RESOURCES
 from .stepover import StepOverField
@@ -90,7 +86,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
     extras: Sequence[Extra] = ()
     boxes: Sequence[Any] = ()  # of the extras, to be shown below the pages
     is_writing = False
-    was_changed = False  # while writing
+    was_written = was_changed = False  # while writing: any property, one the path depends on
     is_closed = False
     refusals: Sequence[str] = ()  # what to say of what was typed in vain
     tool: tuple[str, ...] = ()  # as it was last looked at
@@ -194,13 +190,20 @@ class OperationPage(PathOpGui.TaskPanelPage):
         return f"{said.format(label, typed, box.text())} {advice}"
 
     def pageGetFields(self) -> None:  # noqa: N802 - the name FreeCAD calls
-        """Write all fields, unless the panel closes and a box loses its focus by that."""
-        if not self.is_closed:
-            super().pageGetFields()
+        """Write all fields, unless the panel closes and a box loses its focus by that.
+
+        There is something to apply only if that changed something: boxes tell of changes also
+        where they but round what they show.
+        """
+        if self.is_closed:
+            return
+        self.getFields(self.obj)
+        if self.was_written:
+            self.setDirty()
 
     def getFields(self, obj: Any) -> None:  # noqa: N802 - the name FreeCAD calls
         """Write all fields to the properties."""
-        self.is_writing, self.was_changed = True, False
+        self.is_writing, self.was_written, self.was_changed = True, False, False
         try:
             self.updateToolController(obj, self.form.toolController)
             self.updateCoolant(obj, self.form.coolantController)
@@ -239,6 +242,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
     def updateData(self, obj: Any, prop: str) -> None:  # noqa: N802 - the name FreeCAD calls
         """Show a property that was changed elsewhere, not while it is being typed here."""
         if self.is_writing:
+            self.was_written = True
             self.was_changed |= prop in INPUTS
             return
         for field in self.fields:

@@ -27,6 +27,7 @@ from .later import later
 from .names import forget_namesakes, renamed, rightly_named
 from .outlook import was_stopped
 from .room import make_room
+from .rounded import write_no_rounded_depths
 
 translate = FreeCAD.Qt.translate
 
@@ -49,6 +50,8 @@ class TaskPanel(PathOpGui.TaskPanel):
             super().__init__(obj, is_new, page, selection_factory)
         for each in self.featurePages:
             bear_lost_selection(each)
+            if each is not page:
+                write_no_rounded_depths(each)
         pages = self.form if isinstance(self.form, list) else [self.form]
         # boxes of their own, so that they stay in sight whatever is scrolled in the pages
         self.form = [*pages, *page.boxes]

@@ -5,12 +5,14 @@ import pytest
 from conftest import add_job, plate
 from PathScripts import PathUtils
 from window import (
+    APPLY,
     CANCEL,
     OK,
     answered,
     edit,
     is_panel_open,
     panel,
+    panel_button,
     press,
     press_toolbar_button,
     pump,
@@ -66,6 +68,23 @@ def test_feed_and_name_that_are_changed_elsewhere_stay(operation):
     assert widget("toolController").currentText() == "Another"
     assert (controller.HorizFeed.Value, controller.SpindleSpeed) == (50, 5000)
     assert controller.Label == "Another"
+
+
+def test_path_for_another_cutter_is_the_one_that_was_shown(job, operation):
+    """The expression for the step down brings more decimals than FreeCAD's box shows."""
+    controller = operation.ToolController
+    controller.Tool.Diameter = 4.1234
+    pump()
+    widget("stepOverPercent").setValue(20.0)
+    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    shown = panel().operation_page.outlook.plans
+    press(APPLY)
+    assert operation.StepDown.Value == 4.1234
+    assert shown and list(operation.Proxy.plans) == shown
+    press(OK)
+    assert "Touched" not in operation.State
+    edit(operation)
+    assert not panel_button(APPLY).isEnabled()
 
 
 def test_deleted_tool_controller_is_missed_in_words(doc, operation):

@@ -6,12 +6,15 @@ import FreeCADGui
 import numpy as np
 import pytest
 from window import (
+    APPLY,
     CANCEL,
     OK,
     answered,
+    edit,
     enter,
     is_panel_open,
     panel,
+    panel_button,
     press,
     press_toolbar_button,
     pump,
@@ -157,6 +160,32 @@ def test_feed_that_is_typed_in_the_editor_is_taken_alone(units, operation):
     assert controller.HorizFeed.Value == pytest.approx(40, rel=0.2)  # rounded by FreeCAD
     assert controller.HorizFeed.Value != 25
     assert controller.VertFeed.Value == 25.004
+
+
+def test_nothing_is_to_be_applied_before_a_change(units, operation):
+    operation.StockToLeave = 0.1234
+    press(OK)
+    edit(operation)
+    widget("advanced").setChecked(True)
+    pump()
+    assert not panel_button(APPLY).isEnabled()
+    widget("coolantController").setCurrentIndex(1)
+    assert panel_button(APPLY).isEnabled()
+
+
+def test_depths_stay_as_they_are(units, operation):
+    for name in ("FinalDepth", "StepDown", "SafeHeight"):
+        operation.setExpression(name, None)
+    operation.FinalDepth, operation.StepDown, operation.SafeHeight = -5.004, 2.0637, 3.004
+    pump()
+    pages = panel().form[0]
+    for index in (1, 2, pages.count() - 1):
+        pages.setCurrentIndex(index)
+        pump()
+    with answered():
+        press(OK)
+    assert (operation.FinalDepth.Value, operation.StepDown.Value) == (-5.004, 2.0637)
+    assert operation.SafeHeight.Value == 3.004
 
 
 @pytest.mark.parametrize(
