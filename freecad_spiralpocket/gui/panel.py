@@ -99,6 +99,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
         form.advancedFrame.hide()
         for box in form.findChildren(QtGui.QAbstractSpinBox):
             box.setMinimumWidth(int(SPIN_BOX * box.fontMetrics().height()))
+        let_long_choices_wrap(form)
         return form
 
     def taskPanelBaseGeometryPage(self, obj: Any, features: int) -> Any:  # noqa: N802
@@ -317,6 +318,18 @@ class OperationPage(PathOpGui.TaskPanelPage):
         extras, self.extras = self.extras, ()
         for extra in extras:
             extra.close()
+
+
+def let_long_choices_wrap(form: Any) -> None:
+    """Let the rows of lists be wrapped before a list is narrower than its longest choice.
+
+    Qt wraps a row by the width of its own label, and puts the list beside the widest one.
+    """
+    labels = [each for each in form.findChildren(QtGui.QLabel) if each.buddy() is not None]
+    for own in labels:
+        if isinstance(own.buddy(), QtGui.QComboBox):
+            beside = [each for each in labels if each.parent() is own.parent()]
+            own.setMinimumWidth(max(each.sizeHint().width() for each in beside))
 
 
 def tool_of(obj: Any) -> tuple[str, ...]:

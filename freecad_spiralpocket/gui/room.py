@@ -14,8 +14,8 @@ DOCKS = ("Tasks", "Combo View")
 FRAMES = 8
 
 
-def make_room(pages: Any, shown: Any, folded: Any) -> None:
-    """Make the dock wide enough for the panel.
+def make_room(pages: Any, shown: Any, folded: Any) -> bool:
+    """Make the dock wide enough for the panel; return whether to look again, after the layout.
 
     Parameters
     ----------
@@ -26,14 +26,14 @@ def make_room(pages: Any, shown: Any, folded: Any) -> None:
     folded : QWidget
         What may be unfolded in it.
     """
-    window = FreeCADGui.getMainWindow()
+    window, before = FreeCADGui.getMainWindow(), pages.minimumWidth()
     docks = [window.findChild(QtGui.QDockWidget, name) for name in DOCKS]
     for dock in docks:
         if dock is None or dock.isFloating() or not dock.isAncestorOf(shown):
             continue
         if window.dockWidgetArea(dock) == QtCore.Qt.NoDockWidgetArea:
             continue  # it lies over the view (since 1.0), where FreeCAD keeps the width it has
-        lacks = 0
+        lacks, has = 0, dock.width()
         for area in dock.findChildren(QtGui.QScrollArea):
             if area.isAncestorOf(shown) and area.widget() is not None:
                 around = area.verticalScrollBar().sizeHint().width()  # it may come later
@@ -43,5 +43,7 @@ def make_room(pages: Any, shown: Any, folded: Any) -> None:
                     wide = max(wide, folded.minimumSizeHint().width())
                     pages.setMinimumWidth(wide + around)
                 lacks = max(lacks, wide + around - area.width())
+                has = max(has, area.width())  # the dock may be about to follow
         if lacks > 0:
-            window.resizeDocks([dock], [dock.width() + lacks + FRAMES], QtCore.Qt.Horizontal)
+            window.resizeDocks([dock], [has + lacks + FRAMES], QtCore.Qt.Horizontal)
+    return pages.minimumWidth() != before  # what is around them has not heard of it

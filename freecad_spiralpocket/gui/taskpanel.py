@@ -215,7 +215,8 @@ class TaskPanel(PathOpGui.TaskPanel):
     def _make_room(self) -> None:
         if self.is_open:
             form = self.operation_page.form
-            make_room(self.form[0], form, form.advancedFrame)
+            if make_room(self.form[0], form, form.advancedFrame):
+                later(AFTER_LAYOUT, self._make_room)
 
     def _lose_widgets(self, *_: Any) -> None:
         """Close, as the widgets are gone, if nobody has told us to."""
