@@ -297,19 +297,25 @@ def _set(op: Any, name: str, value: Any) -> None:
         setattr(op, name, value)
     except (TypeError, ValueError, ArithmeticError, RuntimeError) as error:
         raise RequestError(
-            f"{name} cannot be {value!r}: {error}.", _hint_for(getattr(op, name))
+            f"{name} cannot be {value!r}: {str(error).rstrip('.!')}.", _hint_for(op, name)
         ) from error
 
 
-def _hint_for(now: Any) -> str:
+def _hint_for(op: Any, name: str) -> str:
     """Return what a property takes, told by its value."""
+    now, choices = getattr(op, name), op.getEnumerationsOfProperty(name)
+    if choices:
+        return f"Choose one of: {', '.join(choices)}."
     if isinstance(now, bool):
         return "Give True or False."
     if isinstance(now, FreeCAD.Vector):
         return "Give three numbers, (x, y, z)."
     if isinstance(now, str):
         return "Give a text."
-    return "Give a number." if isinstance(now, float) else "Give a number or a text with a unit."
+    if isinstance(now, float):
+        return "Give a number."
+    unit = "mm" if now.Unit == FreeCAD.Units.Length else "degrees"
+    return f"Give a number, in {unit}, or a text with another unit of that kind."
 
 
 def _raise_failure(op: Any) -> None:

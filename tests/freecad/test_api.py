@@ -337,6 +337,9 @@ def test_floors_of_what_is_no_part_are_refused(what):
         ({"StepOver": float("nan")}, "step-over of nan"),
         ({"FinalDepth": float("nan")}, "number of millimeters"),
         ({"UseOutline": "no"}, "True or False"),
+        ({"CoolantMode": "Water"}, "Choose one of: .*Flood"),
+        ({"StockToLeave": "5 deg"}, "[^.!]\\. Give a number, in mm"),
+        ({"HelixAngle": "5 mm"}, "[^.!]\\. Give a number, in degrees"),
     ],
 )
 def test_wrong_values_are_refused_in_words(doc, change, words):
