@@ -269,6 +269,49 @@ def test_laps_lead_to_the_slot_where_it_is_close_to_walls_or_steps_are_fine(pock
     assert plan_.report.uncut_area < 1e-3
 
 
+#: Channels in which a slot fits that keeps off walls less than elsewhere.
+CELLS = MultiPoint([(0, 0), (20, 0), (40, 0)]).buffer(8.6).union(box(0, -3.7, 40, 3.7))
+
+
+def test_a_hot_slot_leads_through_channels_that_are_narrower_than_it_likes():
+    region = center_regions(CELLS, 3.0, 0.0)[0]
+    slot = hot_slot(region, medial_axis(region), make_request(CELLS))
+    assert all(slot.distance(Point(x, 0)) < 3.0 for x in (0, 20, 40))
+    plan_ = plan(make_request(CELLS, strategy=Strategy.ISOTHERM))
+    assert lifts_of(plan_) == 0
+    assert plan_.report.uncut_area < 1e-3
+
+
+#: Channels hardly wider than the cutter; others in which a lap goes up one side and down the other.
+FINS = box(0, 0, 70, 35.4).difference(MultiPolygon([box(7, y, 63, y + 6) for y in (8, 20.7)]))
+LADDER = box(0, 0, 70, 46.1).difference(
+    MultiPolygon([box(8.7, 8.7, 30.65, 37.4), box(39.35, 8.7, 61.3, 37.4)])
+)
+
+
+@pytest.mark.parametrize("pocket", [FINS, LADDER])
+def test_narrow_channels_between_islands_are_opened_by_the_slot(pocket):
+    plan_ = plan(make_request(pocket, strategy=Strategy.ISOTHERM))
+    assert lifts_of(plan_) == 0
+    assert plan_.report.uncut_area < 1e-3
+
+
+def arc(x: float, y: float, radius: float, start: float, end: float) -> list[tuple[float, float]]:
+    """Return points of a counter-clockwise arc."""
+    angles = np.linspace(start, end, 40)
+    return list(zip(x + radius * np.cos(angles), y + radius * np.sin(angles), strict=True))
+
+
+def test_a_hot_slot_leads_along_all_ridges_that_cross():
+    loops = arc(44, 112, 28, -0.37, 3.74)[::-1] + arc(36, 32, 32, 2.13, 5.7)
+    ampersand = LineString([(104, 0), *loops, (95, 58)])
+    pocket = ampersand.buffer(7)
+    region = center_regions(pocket, 3.0, 0.0)[0]
+    slot = hot_slot(region, medial_axis(region), make_request(pocket))
+    along = [ampersand.interpolate(share, normalized=True) for share in np.linspace(0, 1, 100)]
+    assert max(slot.distance(place) for place in along) < 3.0
+
+
 def test_laps_about_all_summits_are_taken_where_those_about_a_slot_crowd():
     bosses = [Point(x, y).buffer(4.5) for x in (12.2, 67.8) for y in (12.2, 47.8)]
     pocket = box(0, 0, 80, 60).difference(MultiPolygon(bosses))

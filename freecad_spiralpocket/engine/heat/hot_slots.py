@@ -12,6 +12,7 @@ A ridge that is closed round an island is parted where it is narrowest; laps clo
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import pairwise, product
 
 import numpy as np
@@ -23,12 +24,16 @@ from ..floor import Slot
 from ..model import PocketRequest
 from ..numerics.graphs import spanning_tree
 from ..opening.branches import smoothed
-from ..opening.starts import slot_round
-from ..shapes.shaping import grow_coarsely, oriented
+from ..opening.starts import leaves_no_post, slot_round
+from ..shapes.shaping import grow_coarsely, largest, oriented
 from ..shapes.skeleton import Edges, Skeleton, peel
 
 #: Half the width of the slot over D: the first is taken that leaves no post.
 HALF_WIDTHS = (0.46, 0.38, 0.3, 0.22)
+#: Its reentrant curves over R: they cost a slim one, or leave a post where ridges cross.
+BENDS = (1.0, 0.5, 0.25)
+#: It misses no place along a ridge by more than this over R: else it broke off.
+MISSED = 1.5
 #: Tips are peeled while the walls that they serve are nearer than this over the largest clearance;
 #: branches shorter than this over the clearance at their foot are left out: forks into corners.
 PEELED, SPUR = 1.0, 1.6
@@ -55,44 +60,58 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
         Its medial axis.
     request : PocketRequest
     """
-    if axis.clearance.max(initial=0.0) < request.cutter_radius:
-        return None  # once round such a narrow region all of it is cut
-    ridges, stepover = _ridges(axis), request.cutting.stepover
-    widest = None
+    stepover = request.cutting.stepover
+    # once round such a narrow region all of it is cut, but not what is beside islands
+    narrow = min(stepover / 2, request.cutter_radius) if region.interiors else request.cutter_radius
+    if axis.clearance.max(initial=0.0) < narrow:
+        return None
+    ridges = _ridges(axis)
+    best, fewest = None, np.inf
     for off in OFFS:
-        slot = _slot_off(off * stepover, region, axis, ridges, request)
-        if slot is not None:
+        for slot, missed in _slots_off(off * stepover, region, axis, ridges, request):
             core = grow_coarsely(slot, -HAIRLINE / 2 * stepover)
-            if isinstance(core, Polygon) and not core.is_empty:
+            if missed == 0 and isinstance(core, Polygon) and not core.is_empty:
                 return slot
-            widest = widest or slot
-    return widest
+            if missed < fewest:
+                best, fewest = slot, missed
+            if missed == 0:
+                break
+    return best
 
 
-def _slot_off(
+def _slots_off(
     off: float, region: Polygon, axis: Skeleton, ridges: Edges, request: PocketRequest
-) -> Polygon | None:
-    """Return what a slot along ridges opens that keeps off walls by so much [mm]; or None."""
+) -> Iterator[tuple[Polygon, int]]:
+    """Yield what slots along ridges open that keep off walls by so much [mm], the widest first.
+
+    Each with how many nodes of the ridges it misses.
+    """
+    places = shapely.points(axis.nodes[np.unique(np.array(ridges, np.intp))])
     radius, stepover = request.cutter_radius, request.cutting.stepover
     inner = grow_coarsely(region, -off)
     for gap, half in product((PARTED * stepover, ROUNDED * radius), HALF_WIDTHS):
         wide = half * request.tool_diameter
         edges = _parted(axis, ridges, 2 * wide + gap)
         if not edges or inner.is_empty:
-            return None
+            return
         pieces = shapely.multilinestrings([axis.nodes[list(edge)] for edge in edges])
         branches = [
             LineString(smoothed(line, SMOOTHING * radius))
             for line in shapely.get_parts(shapely.line_merge(pieces))
         ]
         if sum(branch.length for branch in branches) < SHORTEST * radius:
-            return None
+            return
         shape = shapely.union_all([grow_coarsely(branch, wide) for branch in branches])
-        start = slot_round(inner, shape, request)
-        if start is not None and isinstance(start.entry, Slot) and not start.visited.interiors:
-            fence = grow_coarsely(inner, off / 2)
-            return _smoothed(Polygon(start.entry.ring), fence, request)
-    return None
+        clipped = largest(shapely.intersection(shape, inner))
+        breaks = not shapely.dwithin(clipped, places, MISSED * radius).all()
+        for rounding in BENDS:
+            start = slot_round(inner, shape, request, (rounding,))
+            if start is None or not isinstance(start.entry, Slot) or start.visited.interiors:
+                continue
+            slot = _smoothed(Polygon(start.entry.ring), grow_coarsely(inner, off / 2), request)
+            yield slot, int((~shapely.dwithin(slot, places, MISSED * radius)).sum())
+            if breaks:
+                return  # at a channel, as all others that keep off so much
 
 
 def _smoothed(slot: Polygon, fence: Polygon, request: PocketRequest) -> Polygon:
@@ -100,8 +119,9 @@ def _smoothed(slot: Polygon, fence: Polygon, request: PocketRequest) -> Polygon:
     for share in ROUNDINGS:
         q = share * request.cutter_radius
         shape = grow_coarsely(grow_coarsely(grow_coarsely(slot, q), -2 * q), q)
-        whole = isinstance(shape, Polygon) and not shape.interiors
-        if whole and fence.covers(shape) and grow_coarsely(shape, q).covers(slot):
+        if not isinstance(shape, Polygon) or shape.interiors or not fence.covers(shape):
+            continue
+        if grow_coarsely(shape, q).covers(slot) and leaves_no_post(shape, request):
             return oriented(shape)
     return oriented(slot)
 

@@ -133,7 +133,7 @@ def _shortest(
 
     The parameters are those of `floor_path` and `isotherms.family_of`.
     """
-    axis = medial_axis(region)
+    axis = medial_axis(region, request.tool_diameter)
     slot = hot_slot(region, axis, request)
     # partners on rings are sought beside their vertices
     slot = None if slot is None else shapely.segmentize(slot, SPACING)

@@ -192,7 +192,12 @@ def _curve(region: Polygon, spine: shapely.Geometry, request: PocketRequest) -> 
     return None
 
 
-def slot_round(region: Polygon, shape: Polygon, request: PocketRequest) -> Start | None:
+def slot_round(
+    region: Polygon,
+    shape: Polygon,
+    request: PocketRequest,
+    roundings: Sequence[float] = ROUNDINGS,
+) -> Start | None:
     """Return the start that opens a shape by going round it; None if a post remains in it.
 
     Parameters
@@ -202,8 +207,10 @@ def slot_round(region: Polygon, shape: Polygon, request: PocketRequest) -> Start
     shape : shapely.Polygon
         Nowhere wider than the cutter clears from its edge.
     request : PocketRequest
+    roundings : sequence of float, optional
+        Radii of its reentrant curves over R: the first is taken that leaves no post.
     """
-    for rounding in ROUNDINGS:
+    for rounding in roundings:
         visited = _rounded(shape, region, rounding * request.cutter_radius)
         if not visited.is_empty and leaves_no_post(visited, request):
             return _slot_start("curve", visited, region, request)
