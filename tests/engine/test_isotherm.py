@@ -312,6 +312,14 @@ def test_a_hot_slot_leads_along_all_ridges_that_cross():
     assert max(slot.distance(place) for place in along) < 3.0
 
 
+def test_lifts_count_where_laps_about_all_summits_are_weighed():
+    rings = [Point(x, 0).buffer(14).exterior for x in (-13, 13)]
+    pocket = shapely.union_all(rings).buffer(4.9)
+    _, path = path_of(pocket)
+    # to all the noise on so even a ridge they are shorter, but the cutter is lifted 150 times
+    assert entries_of(path) == [path.entry]
+
+
 def test_laps_about_all_summits_are_taken_where_those_about_a_slot_crowd():
     bosses = [Point(x, y).buffer(4.5) for x in (12.2, 67.8) for y in (12.2, 47.8)]
     pocket = box(0, 0, 80, 60).difference(MultiPolygon(bosses))

@@ -58,7 +58,7 @@ from ..heat.isotherms import (
 )
 from ..heat.nested import SPACING, Lap, Mover, path_through
 from ..heat.poisson import HeatField
-from ..links.estimates import motion_of
+from ..links.estimates import LIFT_SECONDS, motion_of
 from ..model import Floats, PocketRequest, Tick
 from ..opening.start import slot_bite
 from ..shapes.shaping import oriented
@@ -84,7 +84,7 @@ FINE = 0.2
 #: Laps about a hot slot crowd where all of them pass through a channel: if they are longer than
 #: this over evenly spaced ones, laps about all summits are taken that have less than this share of
 #: their length.
-CROWDED, MUCH_SHORTER = 3.5, 0.7
+CROWDED, MUCH_SHORTER = 3.5, 0.85
 #: A region whose ridges are shorter than this over its largest clearance is compact.
 COMPACT = 1.5
 #: Steps of less than this share are none where a slot is kept hot.
@@ -193,7 +193,7 @@ class _Effort:
     Attributes
     ----------
     most : float
-        Length of all laps, and of slots in all their levels [mm].
+        Length of all laps and ways down, and of what is cut in the time of lifts [mm].
     cores : int
         Places where the cutter goes down.
     laps : int
@@ -210,8 +210,7 @@ class _Effort:
     even: HeatField | None = None
 
     def spend(self, length: float, place: shapely.Point) -> None:
-        """Count a lap, or a slot in all its levels, of a length [mm]."""
-        self.laps += 1
+        """Count a lap or a way down of a length [mm]."""
         self.length += length
         if self.laps > MOST_LAPS or self.length > self.most:
             raise NotYetError(
@@ -223,20 +222,22 @@ class _Effort:
 
 def _lap(family: Family, room: Room, tick: Tick, effort: _Effort) -> Lap:
     """Return the lap about a room, with all inside of it."""
+    effort.laps += 1
     effort.spend(room.region.length, room.region.representative_point())
     tick(0.1 + 0.5 * (1 - room.region.area / family.region.area))
     if family.hot is not None and _holds(room.region, family.hot):
         return _lap_about(family, family.hot, room, tick, effort)
     core = core_of(family, room)
     if core is not None:
-        if isinstance(core.entry, Slot):
-            if core.region is room.region:
-                effort.length -= room.region.exterior.length  # the slot is that lap
-            effort.spend(_length(core.entry, family), room.region.representative_point())
+        if isinstance(core.entry, Slot) and core.region is room.region:
+            effort.length -= room.region.exterior.length  # the slot is that lap
+        effort.spend(_way_down(core, family), room.region.representative_point())
         return core if core.region is room.region else Lap(room.region, room.level, (core,))
     rooms, slots = _inner_rooms(family, room)
     if len(rooms) + len(slots) > effort.cores:
         raise NotYetError("The plate has several summits.", "", None)
+    for slot in slots:
+        effort.spend(_way_down(slot, family), slot.region.representative_point())
     # the hottest first: its core is the first to be opened
     laps = [*(_lap(family, one, tick, effort) for one in reversed(rooms)), *slots]
     asked = family.request.start_point
@@ -245,10 +246,13 @@ def _lap(family: Family, room: Room, tick: Tick, effort: _Effort) -> Lap:
     return Lap(room.region, room.level, tuple(laps))
 
 
-def _length(slot: Slot, family: Family) -> float:
-    """Return the length of a slot in all its levels [mm]."""
-    levels = math.ceil(family.request.axial_depth / slot.bite)
-    return levels * shapely.LinearRing(slot.ring).length
+def _way_down(core: Lap, family: Family) -> float:
+    """Return the length of the way down into a core, and what is cut in the time of a lift [mm]."""
+    request, once = family.request, core.region.exterior.length
+    lift = LIFT_SECONDS * motion_of(request).cut_feed
+    if isinstance(core.entry, Slot):
+        return lift + math.ceil(request.axial_depth / core.entry.bite) * once
+    return lift + request.axial_depth / math.tan(request.entry.helix_angle) + once
 
 
 def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Effort) -> Lap:
@@ -264,8 +268,8 @@ def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Ef
     off = float(distances(points, [hot]).max())
     if off <= REFITTED * family.stepover:
         slot = Slot(np.asarray(hot.exterior.coords)[:-1], slot_bite(family.request))
-        effort.spend(_length(slot, family), hot.representative_point())
         core = Lap(hot, level - room.level + family.heat, (), slot)
+        effort.spend(_way_down(core, family), hot.representative_point())
         return Lap(room.region, level, (core,))
     spent = effort.laps, effort.length
     is_near = off <= EVEN * family.stepover and not family.is_even
