@@ -33,6 +33,15 @@ PAPER = [pytest.param(p, id=n) for n, p in zip("345", (TRIANGLE, SQUARE, PENTAGO
 
 BRANCHED = [pytest.param(p, id=n) for n, p in (("L", L_SHAPE), ("neck", DUMBBELL), ("T", TEE))]
 
+#: Branches meet in a room so wide that a slot about them leaves a post.
+TAILS = shapely.union_all(
+    [Polygon([(0, 0), (168, 0), (168, 36), (0, 36)])]
+    + [
+        Polygon([(x - 7.5, 35), (x + 7.5, 35), (x + 13.2, 62), (x - 13.2, 62)])
+        for x in (19.2, 50.4, 81.6, 112.8, 144.0)
+    ]
+)
+
 
 def no_tick(done: float) -> None:
     """Never cancel."""
@@ -138,7 +147,7 @@ def test_islands_are_refused_with_a_reason():
     assert caught.value.hint
 
 
-@pytest.mark.parametrize("pocket", BRANCHED)
+@pytest.mark.parametrize("pocket", [*BRANCHED, pytest.param(TAILS, id="tails")])
 def test_slender_inner_curve_is_opened_as_a_slot_along_the_axis(pocket):
     region, path = spiral_of(pocket)
     assert isinstance(path.entry, Slot)

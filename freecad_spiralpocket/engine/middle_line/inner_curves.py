@@ -24,6 +24,9 @@ from ..shapes.skeleton import Skeleton, medial_axis, peel
 from ..shapes.starshape import deepest_center
 from .walk import walk_round
 
+#: Half the width of inner curves over D where wider ones leave a post, as where branches meet in
+#: rooms.
+SLIM = (0.25, 0.18)
 #: A region is compact if its wall is nowhere farther from the middle than this, over the nearest.
 COMPACT = 2.2
 #: Shares of the largest clearance down to which the axis is pruned: to its bifurcations first,
@@ -114,7 +117,7 @@ def axis_spines(region: Polygon, request: PocketRequest) -> Iterator[Spine]:
     request : PocketRequest
     """
     axis = medial_axis(region)
-    halves = tuple(share * request.tool_diameter for share in HALF_WIDTHS)
+    halves = tuple(share * request.tool_diameter for share in (*HALF_WIDTHS, *SLIM))
     for share in PRUNED:
         edges = peel(axis, share)
         if edges:
