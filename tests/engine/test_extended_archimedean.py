@@ -182,6 +182,17 @@ def test_center_of_a_square_is_its_middle_not_a_diagonal():
     assert center.curve.distance(Point(22, 22)) < 2.0
 
 
+def test_a_corner_gets_no_spiral_however_many_laps_it_takes_and_a_room_does():
+    def centers_in(pocket: Polygon) -> int:
+        (region,) = center_regions(pocket, 3.0, 0.0)
+        return len(maximal_centers(region, medial_axis(region), 2.76, 0.6, 3.0))
+
+    triangle = Polygon([(0, 0), (60, 0), (30, 52)])
+    room = Point(30, 58).buffer(16)
+    assert centers_in(triangle) == 1
+    assert centers_in(triangle.union(room)) == 2
+
+
 def test_no_spiral_closes_round_an_island():
     # all of the middle line is wide but for a short piece: the rest leads nearly round
     pocket = Point(0, 0).buffer(34).difference(Point(6, 0).buffer(5))

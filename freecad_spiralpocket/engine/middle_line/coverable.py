@@ -35,8 +35,9 @@ SMOOTHINGS = (6.0, 4.0, 2.5, 1.5, 1.0, 0.6, 0.3, 0.0)
 #: A center shorter than this, over R, is a point.
 POINT = 1.0
 #: A piece that covers less than this share of the region, or takes fewer laps, is left to what
-#: follows the spirals.
-LEAST_SHARE, FEWEST = 0.06, 3
+#: follows the spirals. So is a corner that covers less than the second share: laps about its foot
+#: and the ways to them take longer than strokes across it.
+LEAST_SHARE, CORNER_SHARE, FEWEST = 0.06, 0.18, 3
 #: A channel is longer than this over its greatest half width; it is worth opening without laps.
 SLIM = 2.0
 #: Centers keep off each other by this, over R, so that what is opened about them does not merge.
@@ -107,7 +108,8 @@ def maximal_centers(
         center = _center(wall, axis, nodes, half_width, stepover, radius)
         reach = max(half_width + center.laps * stepover, offset, APART * radius)
         shape = shapely.intersection(shapely.buffer(center.curve, reach, quad_segs=8), rest)
-        is_worth_it = not centers or _is_worth_it(axis, center, shape.area / region.area)
+        share = shape.area / region.area
+        is_worth_it = not centers or _is_worth_it(axis, center, share, below > 0)
         if below[nodes].min() < np.inf:
             is_worth_it = _joins_rooms(axis.clearance[nodes], half_width)
         if is_worth_it:
@@ -275,11 +277,28 @@ def _smoothed(raw: LineString, width: float) -> LineString:
     return LineString(smooth[count - 1 : 2 * count - 1])
 
 
-def _is_worth_it(axis: Skeleton, center: Center, share: float) -> bool:
-    """Return whether a piece is worth a spiral or an opening: neither corner nor margin."""
+def _is_worth_it(axis: Skeleton, center: Center, share: float, left: NDArray[np.bool_]) -> bool:
+    """Return whether a piece is worth a spiral or an opening: neither corner nor margin.
+
+    `share` is what it covers of the region, `left` are the nodes that are not covered.
+    """
     length = _length(axis.nodes[center.nodes])
-    slim = length > SLIM * float(axis.clearance[center.nodes].max())
-    return slim or (center.laps >= FEWEST and share > LEAST_SHARE)
+    if length > SLIM * float(axis.clearance[center.nodes].max()):
+        return True
+    least = LEAST_SHARE if _is_room(axis, center.nodes, left) else CORNER_SHARE
+    return center.laps >= FEWEST and share > least
+
+
+def _is_room(axis: Skeleton, nodes: NDArray[np.intp], left: NDArray[np.bool_]) -> bool:
+    """Return whether a piece of the axis is widest inside; a corner is so where it is cut off.
+
+    `left` are the nodes that are not covered.
+    """
+    widest = nodes[int(np.argmax(axis.clearance[nodes]))]
+    wide = axis.clearance >= axis.clearance[widest]
+    edges = axis.edges[wide[axis.edges].all(axis=1)]
+    label, _ = _parts(len(wide), edges, np.ones(len(edges)))
+    return bool(left[label == label[widest]].all())
 
 
 def _joins_rooms(clearance: Floats, wide: float) -> bool:
