@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The closing lap: it comes to the wall without a corner, and goes all along it."""
 
+import time
+
 import numpy as np
 import pytest
 import shapely
@@ -57,3 +59,13 @@ def test_fillet_of_the_corners_goes_through_every_neck(depth):
     region = LineString([(-19, 0), (19, 0)]).buffer(15, quad_segs=64).difference(notch)
     fillet = corner_fillet(region.buffer(-3).buffer(3, quad_segs=32), 2.4)
     assert isinstance(region.buffer(-fillet), Polygon)
+
+
+def test_arcs_that_shrink_to_their_center_take_no_time():
+    angles = np.sort(np.random.default_rng(1).uniform(0, 2 * np.pi, 1500))
+    circle = 6.302 * np.column_stack([np.cos(angles), np.sin(angles)])
+    cells = [Polygon(circle + np.array([20 * i, 0])) for i in range(12)]
+    region = shapely.union_all([*cells, box(0, -0.7, 220, 0.7)])
+    began = time.process_time()
+    assert corner_fillet(region, 3.6) > 0
+    assert time.process_time() - began < 1.0

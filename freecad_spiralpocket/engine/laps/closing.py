@@ -23,6 +23,8 @@ FILLETS = (4.0, 3.0, 2.4, 1.75, 1.3, 1.0, 0.7, 0.5)
 #: What the rounding may leave in a corner for the closing lap, over the step-over: where the wall
 #: turns at once the engagement jumps.
 CORNER_BITE = 0.5
+#: Detail that does not matter there [mm].
+ROUGH = 0.01
 #: The spline of the wall runs this far inside of it [mm], and no more than that over the room.
 INSET, MOST_INSET = 0.01, 0.25
 
@@ -43,6 +45,8 @@ def corner_fillet(region: Polygon, stepover: float) -> float:
 
     And that goes through every neck: beyond one too narrow for it the wall would get a dent.
     """
+    # arcs of a thousand points that shrink to their center take GEOS minutes
+    region = shapely.simplify(region, ROUGH)
     corners = shapely.points(shapely.get_coordinates(region))
     for share in FILLETS:
         core = grow(region, -share * stepover)
