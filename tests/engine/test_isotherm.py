@@ -289,9 +289,10 @@ LADDER = box(0, 0, 70, 46.1).difference(
 )
 
 
-@pytest.mark.parametrize("pocket", [FINS, LADDER])
-def test_narrow_channels_between_islands_are_opened_by_the_slot(pocket):
-    plan_ = plan(make_request(pocket, strategy=Strategy.ISOTHERM))
+@pytest.mark.parametrize(("pocket", "share"), [(FINS, 0.4), (LADDER, 0.4), (LADDER, 0.6)])
+def test_narrow_channels_between_islands_are_opened_by_the_slot(pocket, share):
+    cutting = Cutting(share * 6.0)
+    plan_ = plan(make_request(pocket, strategy=Strategy.ISOTHERM, cutting=cutting))
     assert lifts_of(plan_) == 0
     assert plan_.report.uncut_area < 1e-3
 

@@ -60,12 +60,9 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
         Its medial axis.
     request : PocketRequest
     """
-    stepover = request.cutting.stepover
-    # once round such a narrow region all of it is cut, but not what is beside islands
-    narrow = min(stepover / 2, request.cutter_radius) if region.interiors else request.cutter_radius
-    if axis.clearance.max(initial=0.0) < narrow:
-        return None
-    ridges = _ridges(axis)
+    if not region.interiors and axis.clearance.max(initial=0.0) < request.cutter_radius:
+        return None  # once round such a narrow region all of it is cut
+    ridges, stepover = _ridges(axis), request.cutting.stepover
     best, fewest = None, np.inf
     for off in OFFS:
         for slot, missed in _slots_off(off * stepover, region, axis, ridges, request):
