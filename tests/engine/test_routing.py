@@ -94,3 +94,42 @@ def test_hopeful_ground_knows_of_every_way(gap, seed):
                 assert least is not None
                 slack = HOPE * COARSE * cleared.pixel
                 assert LineString(least).length < LineString(way).length + slack
+
+
+def _half_cleared():
+    """Return a room whose left half is cleared, and two strokes side by side along its edge."""
+    room = orient(box(0, 0, 60, 40))
+    before = orient(box(0, 0, 30, 40))
+    rows = np.linspace(5, 24, 39), np.linspace(20, 35, 31)  # the first runs on beside the second
+    strokes = [Stroke(np.column_stack([np.full(len(y), 32.0), y]), 1, False, False) for y in rows]
+    return ClearedMap([before, room], strokes, room, [], 6.0, 0.25), room, strokes
+
+
+@pytest.mark.parametrize("angle", np.radians(range(0, 360, 30)))
+def test_places_are_open_where_a_way_may_begin(angle):
+    cleared, _, _ = _half_cleared()
+    heading = np.array([[math.cos(angle), math.sin(angle)]])
+    assert cleared.are_open(np.array([[20.0, 20.0]]), heading)[0]
+    assert not cleared.are_open(np.array([[34.0, 20.0]]), heading)[0]
+    # on the edge of what stands it may only lead back
+    if abs(heading[0, 0]) > 0.6:
+        assert cleared.are_open(np.array([[30.2, 20.0]]), heading)[0] == (heading[0, 0] < 0)
+
+
+@pytest.mark.parametrize("angle", np.radians(range(0, 360, 45)))
+@pytest.mark.parametrize("x", [20.0, 29.0, 30.1, 33.0])
+def test_where_a_way_is_found_its_ends_are_open(angle, x):
+    cleared, room, _ = _half_cleared()
+    start, end = np.array([10.0, 20.0]), np.array([x, 12.0])
+    heading, arriving = np.array([0.0, 1.0]), np.array([math.cos(angle), math.sin(angle)])
+    way = LongWays(start, heading, cleared, room.buffer(0.003), 3.0).to(end, arriving)
+    if way is not None and tightest_bend(way) > 0.1:  # less is a turn on the spot
+        assert cleared.are_open(np.array([start, end]), np.array([heading, -arriving])).all()
+
+
+def test_where_a_stroke_ends_on_the_ground_of_another_a_link_may_begin():
+    cleared, _, strokes = _half_cleared()
+    cleared.finish(0)
+    points = strokes[0].points
+    assert cleared.near[cleared.cells(points)].all()
+    assert cleared.are_open(points[-1:], np.array([[0.0, -1.0]]))[0]

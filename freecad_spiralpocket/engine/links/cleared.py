@@ -28,6 +28,9 @@ PIXELS = 24
 BLOCK = 4
 #: Pixels from the ends of a path within which the edge of free ground is good enough.
 ENDS = 3.0
+#: A path bends by so much to either side at most over the first pixel [rad], and is looked at there
+#: in so many places.
+BENT, LOOKED_AT = np.radians(30.0), 5
 #: What frees a pixel, if no stroke does: it is free from the start, or never.
 START, NEVER = -1, -2
 
@@ -88,6 +91,7 @@ class ClearedMap:
         self._outside = ~inside.ravel()
         cells_of = [order[a:b] for a, b in pairwise(bounds)]
         self._cells_of = [cells[~self._outside[cells]] for cells in cells_of]
+        self._strokes = strokes
         # ground that needs no stroke holds no stock: the cutter reached over it
         idle = owner < 0
         cleared = (level <= len(fronts)) & idle & inside
@@ -196,6 +200,23 @@ class ClearedMap:
         at_end = self._are_at_ends(paths)
         return np.asarray((self.free[cells] | (at_end & self.near[cells])).all(axis=-1))
 
+    def are_open(self, places: Floats, headings: Floats) -> NDArray[np.bool_]:
+        """Return from which places a path may begin, its first pixel being free or the edge of it.
+
+        Where none may none needs to be looked for, but for one that turns back on the spot.
+
+        Parameters
+        ----------
+        places, headings : ndarray of shape (n, 2)
+            Where paths would begin [mm], and the unit directions there.
+        """
+        sine, cosine = np.sin(BENT), np.cos(BENT)
+        aside = sine * np.column_stack([-headings[:, 1], headings[:, 0]])
+        ways = np.stack([headings, cosine * headings + aside, cosine * headings - aside])
+        ahead = np.linspace(0.0, self.pixel, LOOKED_AT)[:, None]
+        passed = self.near[self.cells(places[:, None] + ahead * ways[..., None, :])]
+        return np.asarray(passed.all(axis=-1).any(axis=0))
+
     def _are_at_ends(self, paths: Floats) -> NDArray[np.bool_]:
         """Return which points are near one of the ends of their path."""
         from_start = np.hypot(*np.moveaxis(paths - paths[..., :1, :], -1, 0))
@@ -237,6 +258,9 @@ class ClearedMap:
         """Free the ground of a stroke that is done."""
         cells, free, near = self._cells_of[stroke], self.free.ravel(), self.near.ravel()
         free[cells] = near[cells] = True
+        # where it ends on ground of another's the cutter has been all the same
+        if not self._strokes[stroke].closed:
+            near[self._along(LineString(self._strokes[stroke].points)).ravel()] = True
         for step in self._beside:
             beside = cells + step
             near[beside] = True

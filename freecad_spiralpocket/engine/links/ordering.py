@@ -217,12 +217,20 @@ class _Cutter:
                     if found is None or link_times(found, motion) > link_times(fine, motion):
                         return fine, w
                     return found, w
-        for w in ways[:ROUTED]:
+        for w in self._open_ways(ways)[:ROUTED]:
             found = long_ways.to(starts[w], headings[w])
             if found is not None:
                 return found, w
         back = back_along_ring(here, starts[ways], self._cleared, self._fence)
         return (None, ways[0]) if back is None else (back[0], ways[back[1]])
+
+    def _open_ways(self, ways: Sequence[int]) -> list[int]:
+        """Return the ways whose beginnings a path could reach from here; quick."""
+        cleared, chosen = self._cleared, np.array(ways)
+        if not cleared.are_open(self._here[None], self._heading[None])[0]:
+            return []
+        open_ = cleared.are_open(self._starts[chosen], -self._headings[chosen])
+        return chosen[open_].tolist()
 
 
 def _from_here(points: Floats, here: Floats, heading: Floats) -> Floats | None:
