@@ -34,6 +34,8 @@ ROUNDS = 5
 #: Shares of the step-over with which a room is planned again, in this order; then by the other
 #: strategy.
 STEPOVERS = (0.93, 0.8, 0.64)
+#: Ground left is the same where it differs by no more than this share: no step-over is its cause.
+SAME = 0.05
 #: Links that touch stock over no more than this become cuts over so much at both ends, over R:
 #: they begin and end at its very edge.
 LEAD = 0.5
@@ -93,6 +95,8 @@ def repaired(
         if cuts is None:
             break
         tried = prove_cuts(cuts)
+        if not is_relinked and _leaves_the_same(tried, best, request):
+            repair.leave_stepovers()
         if badness(tried, request) < badness(best, request):
             best = tried
         # where one link has run through stock it may stand in the way of the next
@@ -173,6 +177,11 @@ class _Repair:
             done.update({id(p): p for p in links if isinstance(p, Pass) and p.role is Role.LINK})
         return [replace(cut, path=changed.get(id(cut.path), cut.path)) for cut in proved.cuts]
 
+    def leave_stepovers(self) -> None:
+        """Plan no room again by a smaller step-over that has been so already."""
+        for settings in self._settings.values():
+            settings[:] = [s for s in settings if s.strategy is not self._request.strategy]
+
     def planned_again(self, proved: Proved) -> list[Cut] | None:
         """Return the cuts with new paths where something is wrong; None without any."""
         new: dict[bytes, FloorPath] = {}
@@ -220,6 +229,16 @@ def _sick(proved: Proved, request: PocketRequest) -> list[Cut]:
     if left:
         return [cut for cut in proved.cuts if cut.room.region.dwithin(proved.report.uncut, reach)]
     return []
+
+
+def _leaves_the_same(tried: Proved, before: Proved, request: PocketRequest) -> bool:
+    """Return whether a path leaves the ground that another one leaves, all that is wrong with it.
+
+    A shallow notch or the tip of a wedge stays at any step-over.
+    """
+    gouge, hit, left = badness(before, request)
+    still = _left(tried.report, request) if tried.complete else 0.0
+    return not gouge and not hit and left > 0 and abs(still - left) <= SAME * left
 
 
 def _left(report: Report, request: PocketRequest) -> float:

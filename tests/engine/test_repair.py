@@ -15,7 +15,13 @@ from freecad_spiralpocket.engine.errors import NotYetError, ProofError
 from freecad_spiralpocket.engine.floor import FloorPath, Pass
 from freecad_spiralpocket.engine.laps import linear_morph
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Strategy
-from freecad_spiralpocket.engine.repair import Proved, badness, other_settings, with_lifts
+from freecad_spiralpocket.engine.repair import (
+    STEPOVERS,
+    Proved,
+    badness,
+    other_settings,
+    with_lifts,
+)
 from freecad_spiralpocket.engine.toolpath import Kind, Role
 
 STEPOVER = 2.4
@@ -59,6 +65,12 @@ def leaves_half(region, request, tick):
     path = sound(region, request, tick)
     points = path.passes[0].points
     return FloorPath(path.entry, (Pass(points[: len(points) // 2], Role.CUT),))
+
+
+def leaves_an_edge(region, request, tick):
+    """Cut all but a strip along one side, whatever the step-over."""
+    x0, y0, x1, y1 = region.bounds
+    return sound(region.intersection(box(x0, y0, x1 - 5.0, y1)), request, tick)
 
 
 def gouges(region, request, tick):
@@ -172,6 +184,18 @@ def test_a_gouge_that_stays_is_refused(use):
 def test_ground_left_is_cured_by_a_smaller_stepover(use):
     made = use(only_if_as_asked(leaves_half))
     assert made.report.uncut_area < 0.01
+
+
+def test_what_a_smaller_stepover_leaves_as_it_was_goes_to_the_other_strategy_at_once(use):
+    planned = []
+
+    def leaves_it(region, request, tick):
+        planned.append(request.cutting.stepover)
+        return leaves_an_edge(region, request, tick)
+
+    made = use(leaves_it)
+    assert made.report.uncut_area == 0.0
+    assert planned == [STEPOVER, pytest.approx(STEPOVERS[0] * STEPOVER)]
 
 
 def test_ground_that_stays_is_told_with_place_and_area(use):
