@@ -36,6 +36,7 @@ from freecad_spiralpocket.engine.links.estimates import motion_of
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.opening.start import slot_bite
+from freecad_spiralpocket.engine.opening.starts import island_ring
 from freecad_spiralpocket.engine.proof.findings import TOUCH
 from freecad_spiralpocket.engine.shapes.region import center_regions
 from freecad_spiralpocket.engine.sizes import (
@@ -136,6 +137,20 @@ def gear(teeth: int, root: float, tip: float) -> Polygon:
     angles = 2 * math.pi / teeth * shares
     radii = np.array([root, tip, tip, root])
     return Polygon(np.dstack([radii * np.cos(angles), radii * np.sin(angles)]).reshape(-1, 2))
+
+
+@pytest.mark.parametrize(
+    ("radius", "apart"), [(0.6, 1.2), (1.2, 1.5), (1.2, 2.0), (2.0, 2.3), (2.0, 3)]
+)
+def test_notches_between_pins_are_cut_however_shallow(radius, apart):
+    pins = [Point(24 + x, 20).buffer(radius, quad_segs=32) for x in (0, apart)]
+    pocket = box(0, 0, 64, 40).difference(shapely.union_all(pins))
+    region = pocket.buffer(-3, quad_segs=64)
+    start = island_ring(region, make_request(pocket))
+    mouths = automatic_laps._mouths(start, region, 1.5)
+    cut = shapely.union_all([start.ring, *(LineString(mouth) for mouth in mouths)])
+    wall = shapely.segmentize(region.interiors[0], 0.02)
+    assert shapely.distance(shapely.points(wall.coords), cut).max() < 0.03
 
 
 @pytest.mark.parametrize("angle", [0.0, 37.0])

@@ -17,6 +17,7 @@ from functools import partial
 import numpy as np
 import shapely
 import shapely.ops
+from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from ..errors import CutterDoesNotFitError, NotYetError
@@ -48,7 +49,7 @@ from ..opening.promising import FEW, promising
 from ..opening.start import Start
 from ..opening.starts import candidates
 from ..shapes.region import polygons_of
-from ..shapes.shaping import grow_coarsely, largest, oriented, thick_parts
+from ..shapes.shaping import CRACK, Region, grow_coarsely, largest, oriented, thick_parts
 
 #: A start is given up that needs more levels than this over the best.
 HOPELESS_LEVELS = 1.8
@@ -63,6 +64,9 @@ TIE = 0.06
 SPARED = 3
 #: Strokes at the mouths of bridges begin and end so much early and late, over R.
 OVERRUN = 0.5
+#: An island's wall has a mouth or a notch where it is farther than the first from the ring round it
+#: [mm]; a notch that is nothing else, too, where it is farther than the second.
+PASSED_BY = (0.05, 0.02)
 #: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
 CUSP = 0.8
 #: The order of so many runs is searched for.
@@ -382,19 +386,27 @@ def _rest_of_entry(start: Start, strokes: list[Stroke]) -> list[Step]:
 
 
 def _mouths(start: Start, region: Polygon, overrun: float) -> list[Floats]:
-    """Return the parts of ringed islands' walls where bridges meet them.
+    """Return the parts of ringed islands' walls where bridges meet them, and shallow notches.
 
     They are cut last: the laps around them make the room to reach them. Each runs on by `overrun`
     at both ends.
     """
-    ring = shapely.buffer(start.ring, 0.05)
+    near, nearer = (shapely.buffer(start.ring, off) for off in PASSED_BY)
     mouths = []
     for wall in region.interiors:
         if start.omega.contains(wall):
             line = LineString(wall.coords)
-            rest = shapely.line_merge(shapely.difference(line, ring))
-            for part in shapely.get_parts(rest):
-                if part.length > 0.1:
-                    begin = line.project(shapely.Point(part.coords[0]))
-                    mouths.append(between(line, begin - overrun, part.length + 2 * overrun))
+            parts = _parts_outside(line, near)
+            shallow = _parts_outside(line, nearer)
+            if len(parts):
+                shallow = shallow[~shapely.dwithin(shallow, shapely.union_all(parts), CRACK)]
+            for part in (*parts, *shallow):
+                begin = line.project(shapely.Point(part.coords[0]))
+                mouths.append(between(line, begin - overrun, part.length + 2 * overrun))
     return mouths
+
+
+def _parts_outside(line: LineString, ground: Region) -> NDArray[np.object_]:
+    """Return the parts of a line outside of some ground that are worth a stroke."""
+    parts = shapely.get_parts(shapely.line_merge(shapely.difference(line, ground)))
+    return parts[shapely.length(parts) > 0.1]

@@ -3,15 +3,17 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
-from ..model import Floats
+from ..growth.walls import are_near_walls
 from ..numerics.distinct import distinct_pairs
 from ..numerics.graphs import delaunay_triangles, spanning_tree
-from ..shapes.shaping import CRACK, closing_of, grow_coarsely, largest, thick_parts
+from ..shapes.shaping import CRACK, Region, closing_of, grow_coarsely, largest, thick_parts
 
 #: Notches that a ring round islands leaves deeper than this over R are taken into it, with the
 #: first of these roundings that leaves no more than that [mm]; seams are closed by so much [mm].
@@ -45,27 +47,39 @@ def into_notches(
     """
     left = thick_parts(shapely.difference(visited, shape))
     left = left[~shapely.dwithin(left, shapely.union_all(corridors), CRACK)]
-    deep = left[_depths(left, visited) > NOTCH * radius]
-    islands = shapely.union_all([grow_coarsely(Polygon(r), NOTCH_SLACK) for r in region.interiors])
+    deep = left[_are_deep(left, visited, NOTCH * radius)]
     for finer in (r for r in radius * np.array(NOTCH_ROUNDINGS) if r < rounding):
         if len(deep) == 0:
             break
         there = grow_coarsely(shapely.union_all(deep), CRACK)
-        closed = closing_of(islands, finer)
-        outside = shapely.difference(there, closed)
+        outside = shapely.difference(there, _closed_islands(region, finer))
         visited = shapely.difference(visited, outside)
         visited = Polygon(largest(closing_of(visited, SEAM)).exterior)
-        left = shapely.get_parts(shapely.difference(shapely.intersection(visited, there), islands))
-        deep = left[_depths(left, visited) > NOTCH_SLACK]
+        here = shapely.intersection(visited, there)
+        left = shapely.get_parts(shapely.difference(here, _islands_of(region)))
+        deep = left[_are_deep(left, visited, NOTCH_SLACK)]
     return visited
 
 
-def _depths(pieces: NDArray[np.object_], visited: Polygon) -> Floats:
-    """Return how far pieces of ground reach away from the ring that encloses it [mm]."""
+@lru_cache(maxsize=1)
+def _islands_of(region: Polygon) -> Region:
+    """Return the islands of a cutter-center region, a little wider."""
+    return shapely.union_all([grow_coarsely(Polygon(r), NOTCH_SLACK) for r in region.interiors])
+
+
+@lru_cache(maxsize=len(NOTCH_ROUNDINGS))
+def _closed_islands(region: Polygon, radius: float) -> Region:
+    """Return the islands without what no disc of a radius reaches [mm]."""
+    return closing_of(_islands_of(region), radius)
+
+
+def _are_deep(pieces: NDArray[np.object_], visited: Polygon, depth: float) -> NDArray[np.bool_]:
+    """Return which pieces of ground reach farther than `depth` from the ring around it [mm]."""
     points, piece = shapely.get_coordinates(pieces, return_index=True)
-    depths = np.zeros(len(pieces))
-    np.maximum.at(depths, piece, shapely.distance(visited.exterior, shapely.points(points)))
-    return depths
+    near = are_near_walls(Polygon(visited.exterior), points, depth)
+    deep = np.zeros(len(pieces), bool)
+    deep[piece[~near]] = True
+    return deep
 
 
 def bridges_between(islands: list[Polygon]) -> list[LineString]:
