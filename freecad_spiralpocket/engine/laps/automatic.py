@@ -190,12 +190,20 @@ def _in_better_order(best: _Best, motion: Motion, tick: Callable[[], None]) -> _
     if laid.situation is None:
         return best
     steps = _searched(laid.steps, laid.runs, laid.situation, tick)
-    if any(step.link is None for step in steps):
+    if _lifts(steps):
         situation = replace(laid.situation, takes_spares=True)
-        other = _searched(order(laid.runs, situation, tick), laid.runs, situation, tick)
+        other: Sequence[Step] = order(laid.runs, situation, tick)
+        # where spare ways spare no lift the search finds the same again
+        if _lifts(other) < _lifts(laid.steps):
+            other = _searched(other, laid.runs, situation, tick)
         steps = min(steps, other, key=lambda steps: link_seconds(steps, motion))
     saved = link_seconds(laid.steps, motion) - link_seconds(steps, motion)
     return replace(best, laid=replace(laid, steps=steps), seconds=best.seconds - saved)
+
+
+def _lifts(steps: Sequence[Step]) -> int:
+    """Return before how many steps the cutter lifts."""
+    return sum(step.link is None for step in steps)
 
 
 def _searched(
