@@ -20,8 +20,8 @@ from freecad_spiralpocket.engine.model import Strategy
 BOSSES = box(0, 0, 110, 70).difference(
     shapely.union_all([Point(x, y).buffer(7) for x in (20, 43, 66, 89) for y in (20, 49)])
 )
-BAYS = box(0, 0, 108, 44).difference(
-    shapely.union_all([box(x, 14, x + 5, 45) for x in (15, 33, 51, 69, 87)])
+BAYS = shapes.rounded(
+    box(0, 0, 108, 44) - shapely.union_all([box(x, 14, x + 5, 45) for x in (15, 38, 66, 87)]), 4.0
 )
 
 

@@ -7,8 +7,8 @@ linked; and because the stock bends away from the cutter, the step may even exce
 step-over at the same engagement.
 
 For the fronts everything outside of the wall counts as visited, so that the wall is no
-boundary of the region to grow in. In corners too sharp for the slot a little stays for
-strokes of their own.
+boundary of the region to grow in. Sharp corners are rounded; the slot's last loop runs out
+into them (sharp_corners.py).
 """
 
 from __future__ import annotations
@@ -24,12 +24,11 @@ from ..model import Floats
 from ..shapes.region import polygons_of
 from ..shapes.shaping import CRACK, Region, are_within, grow_coarsely, largest, oriented, rim_points
 
-#: The slot rounds the wall's corners with at least the first of these radii, over R; with the
-#: second where the first leaves more than `CRUMB` but the second no more than `DONE` [mm]; and
-#: with the next where one leaves more than `ACUTE` [mm]: the full width of the cutter goes into
-#: that, at the full depth.
-ROUNDINGS = (0.1, 0.05, 0.02, 0.005, 0.002)
-CRUMB, DONE, ACUTE = 0.005, 0.01, 0.5
+#: The slot rounds the wall's corners with at least the first of these radii, over R; with the next
+#: where one leaves more than `ACUTE` [mm]: the full width of the cutter goes into that, at the full
+#: depth. What is left of no more than `CRUMB` is nothing [mm].
+ROUNDINGS = (0.06, 0.02, 0.005, 0.002)
+CRUMB, ACUTE = 0.005, 0.5
 #: Width of the ground that the slot opens for the cutter's center, over R.
 WIDTH = 0.01
 #: How far the ground outside of the wall reaches, over R: farther than any fillet or closing.
@@ -99,13 +98,11 @@ def _rounded(filled: Polygon, radius: float) -> Region:
     shape = opened(widest)
     left = shapely.get_parts(shapely.difference(filled, shape))
     deep = _depths(left, shape)
-    for i, share in enumerate(finer):
+    for share in finer:
         must = (deep > ACUTE) | _are_between(left, shape)
-        if not must.any() and (i > 0 or deep.max(initial=0.0) <= CRUMB):
+        if not must.any():
             break
-        fine = opened(share)
-        blunt = (deep > CRUMB) & (_depths(left, fine) < DONE) if i == 0 else False
-        shape = _finer(shape, fine, left[blunt | must])
+        shape = _finer(shape, opened(share), left[must])
         left = shapely.get_parts(shapely.difference(filled, shape))
         deep = _depths(left, shape)
     return shape
@@ -113,8 +110,6 @@ def _rounded(filled: Polygon, radius: float) -> Region:
 
 def _finer(shape: Region, fine: Region, corners: NDArray[np.object_]) -> Region:
     """Return a shape with some of its corners as in the finer one."""
-    if len(corners) == 0:
-        return shape
     there = grow_coarsely(shapely.union_all(corners), CRACK)
     return shapely.union(shape, shapely.intersection(fine, there))
 

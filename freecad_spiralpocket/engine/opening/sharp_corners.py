@@ -62,7 +62,8 @@ def run_into_corners(ring: Floats, region: Polygon) -> tuple[Floats, Floats] | N
         if not SHALLOWEST < depth <= DEEPEST:
             continue
         turns = (corners - begin) % wall.length / through
-        share = distinct(np.concatenate([along / along[-1], turns[turns < 1]]))[1:-1]
+        share = distinct(np.round(np.concatenate([along / along[-1], turns]), 9))
+        share = share[(share > 0) & (share < 1)]
         short = points_at(shapely.LineString(rounded), share * along[-1])
         long = points_at(wall, (begin + share * through) % wall.length)
         if np.hypot(*(long - short).T).max() > BESIDE:
