@@ -35,6 +35,7 @@ from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.links.estimates import motion_of
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
+from freecad_spiralpocket.engine.opening.mouths import mouths_of
 from freecad_spiralpocket.engine.opening.start import slot_bite
 from freecad_spiralpocket.engine.opening.starts import island_ring
 from freecad_spiralpocket.engine.proof.findings import TOUCH
@@ -147,7 +148,7 @@ def test_notches_between_pins_are_cut_however_shallow(radius, apart):
     pocket = box(0, 0, 64, 40).difference(shapely.union_all(pins))
     region = pocket.buffer(-3, quad_segs=64)
     start = island_ring(region, make_request(pocket))
-    mouths = automatic_laps._mouths(start, region, 1.5)
+    mouths = mouths_of(start, region, 3.0)
     cut = shapely.union_all([start.ring, *(LineString(mouth) for mouth in mouths)])
     wall = shapely.segmentize(region.interiors[0], 0.02)
     assert shapely.distance(shapely.points(wall.coords), cut).max() < 0.03

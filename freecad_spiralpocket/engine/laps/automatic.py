@@ -16,8 +16,6 @@ from functools import partial
 
 import numpy as np
 import shapely
-import shapely.ops
-from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from ..errors import CutterDoesNotFitError, NotYetError
@@ -42,14 +40,14 @@ from ..links.linking import Motion
 from ..links.ordering import Situation, Step, order
 from ..links.passes import passes_of
 from ..links.sequence import in_better_sequence
-from ..model import Floats, PocketRequest, Tick
+from ..model import PocketRequest, Tick
 from ..opening.leftovers import is_left, large_pieces, without
+from ..opening.mouths import cusps_at, mouths_of
 from ..opening.open_sides import needed, starts_of, strokes_in_stock, strokes_within
 from ..opening.promising import FEW, promising
 from ..opening.start import Start
 from ..opening.starts import candidates
-from ..shapes.region import polygons_of
-from ..shapes.shaping import CRACK, Region, grow_coarsely, largest, oriented, thick_parts
+from ..shapes.shaping import grow_coarsely, largest, oriented, thick_parts
 
 #: A start is given up that needs more levels than this over the best.
 HOPELESS_LEVELS = 1.8
@@ -62,13 +60,6 @@ TIE = 0.06
 #: A slot without stairs spares so many of the links at most: it is not grown where stairs save
 #: more than that.
 SPARED = 3
-#: Strokes at the mouths of bridges begin and end so much early and late, over R.
-OVERRUN = 0.5
-#: An island's wall has a mouth or a notch where it is farther than the first from the ring round it
-#: [mm]; a notch that is nothing else, too, where it is farther than the second.
-PASSED_BY = (0.05, 0.02)
-#: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
-CUSP = 0.8
 #: The order of so many runs is searched for.
 WORTH_A_SEARCH = 4
 
@@ -347,18 +338,11 @@ def _laid(
     radius = request.cutter_radius
     if isinstance(start.entry, Plunge):
         strokes = strokes_within(strokes, region)
-    mouths = _mouths(start, region, OVERRUN * radius)
+    mouths = mouths_of(start, region, radius)
     strokes = strokes + [Stroke(m, len(fronts), False, False) for m in mouths]
     opening = _rest_of_entry(start, strokes)
     if not strokes:
         return _Laid(opening)
-    # where a bridge meets an island a cusp stands until that wall is cut
-    inner = [
-        shapely.ops.substring(LineString(m), OVERRUN * radius, -OVERRUN * radius) for m in mouths
-    ]
-    zones = [line.buffer(CUSP * radius, cap_style="flat", quad_segs=4) for line in inner]
-    # about a short mouth with a corner in it such a zone falls apart
-    late = [part for zone in zones for part in polygons_of(zone)]
     # about a plug's rounded corner the next lap is farther away than R
     reach = radius if start.within is None else 2 * radius
     slot, opened = start.ring, fronts[0]
@@ -366,7 +350,8 @@ def _laid(
         slot = start.plain.ring
         opened = without_idle_holes(start.plain.visited, start.omega, rules_of(request))
     pixel, grown = pixel_of(request), [opened, *fronts[1:]]
-    cleared = ClearedMap(grown, strokes, region, late, reach, pixel, slot, start.ring)
+    cusps = cusps_at(mouths, radius)
+    cleared = ClearedMap(grown, strokes, region, cusps, reach, pixel, slot, start.ring)
     runs = runs_of(strokes, fronts, start.ring, radius, request.cutting.stepover)
     if opening:
         before, here = opening[-1].points[-2:]
@@ -391,30 +376,3 @@ def _rest_of_entry(start: Start, strokes: list[Stroke]) -> list[Step]:
     ring = start.ring
     end = entry.tips[0] if len(entry.tips) == 1 else ring.length
     return [Step(np.empty((0, 2)), between(ring, 0.0, end), -1)]
-
-
-def _mouths(start: Start, region: Polygon, overrun: float) -> list[Floats]:
-    """Return the parts of ringed islands' walls where bridges meet them, and shallow notches.
-
-    They are cut last: the laps around them make the room to reach them. Each runs on by `overrun`
-    at both ends.
-    """
-    near, nearer = (shapely.buffer(start.ring, off) for off in PASSED_BY)
-    mouths = []
-    for wall in region.interiors:
-        if start.omega.contains(wall):
-            line = LineString(wall.coords)
-            parts = _parts_outside(line, near)
-            shallow = _parts_outside(line, nearer)
-            if len(parts):
-                shallow = shallow[~shapely.dwithin(shallow, shapely.union_all(parts), CRACK)]
-            for part in (*parts, *shallow):
-                begin = line.project(shapely.Point(part.coords[0]))
-                mouths.append(between(line, begin - overrun, part.length + 2 * overrun))
-    return mouths
-
-
-def _parts_outside(line: LineString, ground: Region) -> NDArray[np.object_]:
-    """Return the parts of a line outside of some ground that are worth a stroke."""
-    parts = shapely.get_parts(shapely.line_merge(shapely.difference(line, ground)))
-    return parts[shapely.length(parts) > 0.1]

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Mouths: what a ring round islands leaves of their walls, where bridges meet them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+import shapely.ops
+from numpy.typing import NDArray
+from shapely import LineString, Polygon
+
+from ..growth.spiral import between
+from ..model import Floats
+from ..shapes.region import polygons_of
+from ..shapes.shaping import CRACK, Region
+from .start import Start
+
+#: Strokes at the mouths of bridges begin and end so much early and late, over R.
+OVERRUN = 0.5
+#: An island's wall has a mouth or a notch where it is farther than the first from the ring round it
+#: [mm]; a notch that is nothing else, too, where it is farther than the second.
+PASSED_BY = (0.05, 0.02)
+#: Height of the cusp at an island's wall between the two sides of a bridge, over R, and a little.
+CUSP = 0.8
+
+
+def mouths_of(start: Start, region: Polygon, radius: float) -> list[Floats]:
+    """Return the parts of ringed islands' walls where bridges meet them, and shallow notches.
+
+    They are cut last: the laps around them make the room to reach them. Each is a line (n, 2)
+    that runs on by `OVERRUN` at both ends.
+
+    Parameters
+    ----------
+    start : Start
+    region : shapely.Polygon
+        The cutter-center region.
+    radius : float
+        The cutter's [mm].
+    """
+    near, nearer = (shapely.buffer(start.ring, off) for off in PASSED_BY)
+    overrun = OVERRUN * radius
+    mouths = []
+    for wall in region.interiors:
+        if start.omega.contains(wall):
+            line = LineString(wall.coords)
+            parts = _parts_outside(line, near)
+            shallow = _parts_outside(line, nearer)
+            if len(parts):
+                shallow = shallow[~shapely.dwithin(shallow, shapely.union_all(parts), CRACK)]
+            for part in (*parts, *shallow):
+                begin = line.project(shapely.Point(part.coords[0]))
+                mouths.append(between(line, begin - overrun, part.length + 2 * overrun))
+    return mouths
+
+
+def _parts_outside(line: LineString, ground: Region) -> NDArray[np.object_]:
+    """Return the parts of a line outside of some ground that are worth a stroke."""
+    parts = shapely.get_parts(shapely.line_merge(shapely.difference(line, ground)))
+    return parts[shapely.length(parts) > 0.1]
+
+
+def cusps_at(mouths: Sequence[Floats], radius: float) -> list[Polygon]:
+    """Return where cusps stand at mouths until these are cut; `radius` is the cutter's [mm]."""
+    inner = [
+        shapely.ops.substring(LineString(m), OVERRUN * radius, -OVERRUN * radius) for m in mouths
+    ]
+    zones = [line.buffer(CUSP * radius, cap_style="flat", quad_segs=4) for line in inner]
+    # about a short mouth with a corner in it such a zone falls apart
+    return [part for zone in zones for part in polygons_of(zone)]
