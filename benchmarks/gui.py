@@ -43,7 +43,7 @@ from window import (  # noqa: E402
     widget,
 )
 
-from freecad_spiralpocket.gui import planning  # noqa: E402
+from freecad_spiralpocket.gui.planning import lanes  # noqa: E402
 
 CHANGES, PAUSE = 20, 0.6  # -, s
 STAGES = ("Laying", "Planning feeds", "Laying", "Planning feeds", "Laying")
@@ -161,7 +161,7 @@ def stops():
     widget("stepOverPercent").setValue(LONG)
     found = []
     for stage in STAGES:
-        planning._proved.clear()
+        lanes._proved.clear()
         stop = Stop(stage)
         window.page.obj.touch()
         panel().compute()

@@ -74,7 +74,7 @@ def test_imports_point_one_way(part):
         ("engine", "from .. import op"),
         ("engine", "def f():\n    from PySide import QtCore"),
         ("beside", "from ..op import pockets"),
-        ("op", "from freecad_spiralpocket.gui.panel import Page"),
+        ("op", "from freecad_spiralpocket.gui.panel.extras import Extra"),
         ("gui", "from ..api import export"),
     ],
 )
@@ -87,46 +87,86 @@ def test_import_rule_lets_pass():
     assert not forbidden_imports("engine", "from pathlib import Path", f"{OURS}.engine.module")
 
 
-#: What each package of the engine may import of the others.
+#: What each package of a part may import of the others.
 BELOW = {
-    "numerics": set(),
-    "shapes": {"numerics"},
-    "motion": {"numerics", "shapes"},
-    "contact": {"numerics", "shapes"},
-    "proof": {"numerics", "shapes", "motion", "contact"},
-    "growth": {"numerics", "shapes"},
-    "opening": {"numerics", "shapes", "growth"},
-    "links": {"numerics", "shapes", "motion", "growth", "opening"},
-    "heat": {"numerics", "shapes", "growth", "opening", "links"},
-    "middle_line": {"numerics", "shapes", "growth", "opening", "links"},
-    "laps": {"numerics", "shapes", "motion", "growth", "opening", "links", "heat", "middle_line"},
+    "engine": {
+        "numerics": set(),
+        "shapes": {"numerics"},
+        "motion": {"numerics", "shapes"},
+        "contact": {"numerics", "shapes"},
+        "proof": {"numerics", "shapes", "motion", "contact"},
+        "growth": {"numerics", "shapes"},
+        "opening": {"numerics", "shapes", "growth"},
+        "links": {"numerics", "shapes", "motion", "growth", "opening"},
+        "heat": {"numerics", "shapes", "growth", "opening", "links"},
+        "middle_line": {"numerics", "shapes", "growth", "opening", "links"},
+        "laps": {
+            *("numerics", "shapes", "motion", "growth", "opening", "links"),
+            *("heat", "middle_line"),
+        },
+    },
+    "gui": {
+        "qt": set(),
+        "texts": set(),
+        "planning": {"qt", "texts"},
+        "fields": {"qt", "texts"},
+        "preview": {"texts", "planning"},
+        "result": {"texts", "planning"},
+        "plots": {"qt", "texts", "planning"},
+        "compare": {"qt", "texts", "planning", "preview"},
+        "panel": {
+            *("qt", "texts", "planning", "fields"),
+            *("preview", "result", "plots", "compare"),
+        },
+    },
 }
+#: What of the modules beside them all may.
+FOR_ALL = {
+    "engine": {"dependencies", "errors", "floor", "levels", "machine", "model", "toolpath"},
+    "gui": {"compat", "resources"},
+}
+PACKAGES = [(part, package) for part, packages in BELOW.items() for package in packages]
 
 
-def forbidden_packages(part, source):
-    """Return the engine's packages that a module of one imports although it must not."""
-    engine = f"{OURS}.engine"
-    names = imported_modules(source, f"{engine}.{part}.module")
-    found = {name.removeprefix(f"{engine}.").split(".")[0] for name in names}
-    return (found & BELOW.keys()) - BELOW[part] - {part}
-
-
-def test_every_package_of_the_engine_is_known():
-    found = {file.parent.name for file in (PACKAGE / "engine").glob("*/__init__.py")}
-    assert found == BELOW.keys()
+def forbidden_neighbors(part, package, source):
+    """Return what a module of a package imports of its part although it must not."""
+    home = f"{OURS}.{part}"
+    known = {file.stem for file in (PACKAGE / part).glob("*.py")} | BELOW[part].keys()
+    names = imported_modules(source, f"{home}.{package}.module")
+    found = {n.removeprefix(f"{home}.").split(".")[0] for n in names if n.startswith(f"{home}.")}
+    return (found & known) - FOR_ALL[part] - BELOW[part][package] - {package}
 
 
 @pytest.mark.parametrize("part", BELOW)
-def test_packages_of_the_engine_import_from_below_only(part):
-    for file in sorted((PACKAGE / "engine" / part).glob("*.py")):
-        found = forbidden_packages(part, file.read_text(encoding="utf-8"))
+def test_every_package_is_known(part):
+    found = {file.parent.name for file in (PACKAGE / part).glob("*/__init__.py")}
+    assert found == BELOW[part].keys()
+
+
+@pytest.mark.parametrize(("part", "package"), PACKAGES)
+def test_packages_import_from_below_only(part, package):
+    for file in sorted((PACKAGE / part / package).glob("*.py")):
+        found = forbidden_neighbors(part, package, file.read_text(encoding="utf-8"))
         assert not found, f"{file.relative_to(ROOT)} imports {', '.join(sorted(found))}"
 
 
+def test_packages_have_an_order():
+    # nothing below imports what is above it, over however many others
+    for packages in BELOW.values():
+        seen = set()
+        for package, below in packages.items():
+            assert below <= seen
+            seen.add(package)
+
+
 def test_rule_of_packages_sees():
-    assert forbidden_packages("growth", "from ..links.routing import Router") == {"links"}
-    assert forbidden_packages("growth", "from .. import links") == {"links"}
-    assert not forbidden_packages("links", "from ..growth import strokes")
+    assert forbidden_neighbors("engine", "growth", "from ..links.routing import R") == {"links"}
+    assert forbidden_neighbors("engine", "growth", "from .. import links") == {"links"}
+    assert forbidden_neighbors("engine", "laps", "from ..planner import plan") == {"planner"}
+    assert forbidden_neighbors("gui", "preview", "from ..panel import extras") == {"panel"}
+    assert forbidden_neighbors("gui", "panel", "from ..viewprovider import V") == {"viewprovider"}
+    assert not forbidden_neighbors("engine", "links", "from ..growth import strokes")
+    assert not forbidden_neighbors("gui", "plots", "from ...engine.errors import SetupError")
 
 
 def test_strategies_stand_apart():

@@ -3,5 +3,5 @@
 
 `process` is what runs there, `tasks` what it can do, `interpreters` finds a Python to run
 it; `crew` plans the pockets of an operation in several of them where there is no window.
-The window has its own way to lead them (`gui.workers`). Imports nothing.
+The window has its own way to lead them (`gui.planning.workers`). Imports nothing.
 """

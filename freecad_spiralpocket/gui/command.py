@@ -52,7 +52,7 @@ class CommandSpiralPocket:
         """Ask for the job where there are several, make the operation, open the panel."""
         if FreeCAD.getActiveTransaction():
             FreeCAD.closeActiveTransaction()
-            from .later import later
+            from .qt.later import later
 
             later(0, lambda: FreeCADGui.runCommand(COMMAND, 0))
             return

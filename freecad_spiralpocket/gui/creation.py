@@ -14,8 +14,8 @@ from ..engine.dependencies import require_libraries
 from ..engine.errors import SetupError, SpiralPocketError
 from ..op import operation
 from ..op.compat import PathOp
-from . import messages
 from .compat import PathUtils
+from .texts import messages
 from .viewprovider import ViewProvider
 
 translate = FreeCAD.Qt.translate

@@ -13,11 +13,11 @@ import FreeCAD
 from PySide import QtGui
 
 from ..op import preferences, properties
-from .choices import choice_text
-from .entries import Entry, Scale, lengths, speeds
-from .fields import MINUTE
-from .names import load_form
-from .startup import RESOURCES
+from .fields.entries import Entry, Scale, lengths, speeds
+from .fields.field import MINUTE
+from .qt.names import load_form
+from .resources import RESOURCES
+from .texts.choices import choice_text
 
 translate = FreeCAD.Qt.translate
 

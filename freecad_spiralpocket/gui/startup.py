@@ -9,7 +9,6 @@ the command to its toolbar and menu, on 0.20 we extend the workbench's own
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import FreeCAD
@@ -17,8 +16,7 @@ import FreeCADGui
 
 from .adoption import Adopter
 from .command import COMMAND, CommandSpiralPocket
-
-RESOURCES = Path(__file__).resolve().parents[2] / "resources"
+from .resources import RESOURCES
 
 TOOLBAR = "New Operations"
 #: The workbench, which was Path in 0.20; its menu there, and since 1.0 the item of CAM's menu

@@ -21,13 +21,14 @@ from ..op import presets
 from ..op.compat import parent_job
 from ..op.expressions import check_expressions
 from ..op.operation import required_job
-from . import messages, progress
 from .command import ICON
 from .compat import INACTIVE_ICON, PathOpGui, PathSelection, PathUtils
-from .later import later
-from .panel import OperationPage
-from .startup import RESOURCES
-from .taskpanel import TaskPanel, remove_left
+from .panel.operation_page import OperationPage
+from .panel.task_panel import TaskPanel, remove_left
+from .planning import progress
+from .qt.later import later
+from .resources import RESOURCES
+from .texts import messages
 
 translate = FreeCAD.Qt.translate
 

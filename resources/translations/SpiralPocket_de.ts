@@ -128,44 +128,12 @@
         <translation>{} wurde von einem FreeCAD ohne Spiral Pocket gespeichert; der Pfad kann älter sein als das Teil. Das Dokument neu berechnen.</translation>
     </message>
     <message>
-        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
-        <translation>Jede Tasche, auch mit Inseln und Engstellen: hält den Eingriff, kürzeste Zeit auf der Maschine</translation>
-    </message>
-    <message>
-        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
-        <translation>Ein exakter B-Spline von der Mitte bis zur Wand, für Taschen ohne Inseln</translation>
-    </message>
-    <message>
-        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
-        <translation>Gleichmäßige Umläufe um die Mittellinie, für lange und verzweigte Taschen</translation>
-    </message>
-    <message>
-        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
-        <translation>Umläufe wie Linien gleicher Temperatur, überall glatt, für kompakte Taschen</translation>
-    </message>
-    <message>
-        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
-        <translation>Eine runde Spirale, die in die Form der Wand übergeht, für kompakte Taschen</translation>
-    </message>
-    <message>
-        <source>FreeCAD's Adaptive</source>
-        <translation>Adaptive von FreeCAD</translation>
-    </message>
-    <message>
         <source>Compare...</source>
         <translation>Vergleichen...</translation>
     </message>
     <message>
         <source>All strategies side by side</source>
         <translation>Alle Strategien nebeneinander</translation>
-    </message>
-    <message>
-        <source>Compare strategies</source>
-        <translation>Strategien vergleichen</translation>
-    </message>
-    <message>
-        <source>Pocket {}, {}</source>
-        <translation>Tasche {}, {}</translation>
     </message>
     <message>
         <source>Use this</source>
@@ -196,10 +164,6 @@
         <translation>Ungeschnitten in Reichweite</translation>
     </message>
     <message>
-        <source>No pocket: the first line of the panel says why.</source>
-        <translation>Keine Tasche: Die erste Zeile des Panels sagt, warum.</translation>
-    </message>
-    <message>
         <source>the fastest that keeps the limit of engagement</source>
         <translation>die schnellste, die die Eingriffsgrenze hält</translation>
     </message>
@@ -214,6 +178,22 @@
     <message>
         <source>No path</source>
         <translation>Kein Pfad</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive</source>
+        <translation>Adaptive von FreeCAD</translation>
+    </message>
+    <message>
+        <source>Compare strategies</source>
+        <translation>Strategien vergleichen</translation>
+    </message>
+    <message>
+        <source>Pocket {}, {}</source>
+        <translation>Tasche {}, {}</translation>
+    </message>
+    <message>
+        <source>No pocket: the first line of the panel says why.</source>
+        <translation>Keine Tasche: Die erste Zeile des Panels sagt, warum.</translation>
     </message>
     <message>
         <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
@@ -256,20 +236,48 @@
         <translation>Vorschub der Wege in der Tiefe durch geräumte Fläche, 0 für den waagerechten Eilgang</translation>
     </message>
     <message>
-        <source>Start point</source>
-        <translation>Startpunkt</translation>
+        <source>The same step-over as a length, for this cutter</source>
+        <translation>Dieselbe seitliche Zustellung als Länge, für diesen Fräser</translation>
     </message>
     <message>
-        <source>"{}"</source>
-        <translation>„{}“</translation>
+        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
+        <translation>Der Eingriffswinkel im geraden Schnitt bei dieser seitlichen Zustellung: 90° beim halben Fräserdurchmesser, 180° in der vollen Nut</translation>
+    </message>
+    <message>
+        <source>{}: "{}" is not taken, {} stays.</source>
+        <translation>{}: „{}“ wird nicht übernommen, {} bleibt.</translation>
+    </message>
+    <message>
+        <source>OK once more keeps what was made without that.</source>
+        <translation>Noch einmal OK behält, was ohne das gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>An error in the add-on: the path was not computed.</source>
+        <translation>Ein Fehler in der Erweiterung: der Pfad wurde nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>Please report it with the text in the Report view.</source>
+        <translation>Bitte melden, mit dem Text aus der Berichtsansicht.</translation>
+    </message>
+    <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Spiraltasche entfernen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Spiral Pocket</source>
         <translation>Spiraltasche</translation>
     </message>
     <message>
-        <source>{}: "{}" is not taken, {} stays.</source>
-        <translation>{}: „{}“ wird nicht übernommen, {} bleibt.</translation>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Engagement, feed, velocity and force along the time</source>
+        <translation>Eingriff, Vorschub, Geschwindigkeit und Kraft über der Zeit</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>
@@ -310,30 +318,6 @@
     <message>
         <source>The machine's velocity [{}]</source>
         <translation>Geschwindigkeit der Maschine [{}]</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Diagramme</translation>
-    </message>
-    <message>
-        <source>Engagement, feed, velocity and force along the time</source>
-        <translation>Eingriff, Vorschub, Geschwindigkeit und Kraft über der Zeit</translation>
-    </message>
-    <message>
-        <source>Switched off.</source>
-        <translation>Ausgeschaltet.</translation>
-    </message>
-    <message>
-        <source>This is the proved path.</source>
-        <translation>Dies ist der geprüfte Pfad.</translation>
-    </message>
-    <message>
-        <source>Draft. Stopped; Apply or the next change goes on.</source>
-        <translation>Entwurf. Gestoppt; Anwenden oder die nächste Änderung geht weiter.</translation>
-    </message>
-    <message>
-        <source>Draft. The path is being proved: {:.0f} %</source>
-        <translation>Entwurf. Der Pfad wird geprüft: {:.0f} %</translation>
     </message>
     <message>
         <source>Preview</source>
@@ -396,8 +380,20 @@
         <translation>Insel</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
+        <source>Switched off.</source>
+        <translation>Ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>This is the proved path.</source>
+        <translation>Dies ist der geprüfte Pfad.</translation>
+    </message>
+    <message>
+        <source>Draft. Stopped; Apply or the next change goes on.</source>
+        <translation>Entwurf. Gestoppt; Anwenden oder die nächste Änderung geht weiter.</translation>
+    </message>
+    <message>
+        <source>Draft. The path is being proved: {:.0f} %</source>
+        <translation>Entwurf. Der Pfad wird geprüft: {:.0f} %</translation>
     </message>
     <message>
         <source>Result</source>
@@ -460,36 +456,40 @@
         <translation>Hinweise: {}</translation>
     </message>
     <message>
+        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
+        <translation>Jede Tasche, auch mit Inseln und Engstellen: hält den Eingriff, kürzeste Zeit auf der Maschine</translation>
+    </message>
+    <message>
+        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
+        <translation>Ein exakter B-Spline von der Mitte bis zur Wand, für Taschen ohne Inseln</translation>
+    </message>
+    <message>
+        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
+        <translation>Gleichmäßige Umläufe um die Mittellinie, für lange und verzweigte Taschen</translation>
+    </message>
+    <message>
+        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
+        <translation>Umläufe wie Linien gleicher Temperatur, überall glatt, für kompakte Taschen</translation>
+    </message>
+    <message>
+        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
+        <translation>Eine runde Spirale, die in die Form der Wand übergeht, für kompakte Taschen</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>Startpunkt</translation>
+    </message>
+    <message>
+        <source>"{}"</source>
+        <translation>„{}“</translation>
+    </message>
+    <message>
         <source>Switched off: no path until Active is set again.</source>
         <translation>Abgeschaltet: kein Pfad, bis Active wieder gesetzt ist.</translation>
     </message>
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>The same step-over as a length, for this cutter</source>
-        <translation>Dieselbe seitliche Zustellung als Länge, für diesen Fräser</translation>
-    </message>
-    <message>
-        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
-        <translation>Der Eingriffswinkel im geraden Schnitt bei dieser seitlichen Zustellung: 90° beim halben Fräserdurchmesser, 180° in der vollen Nut</translation>
-    </message>
-    <message>
-        <source>OK once more keeps what was made without that.</source>
-        <translation>Noch einmal OK behält, was ohne das gemacht wurde.</translation>
-    </message>
-    <message>
-        <source>An error in the add-on: the path was not computed.</source>
-        <translation>Ein Fehler in der Erweiterung: der Pfad wurde nicht berechnet.</translation>
-    </message>
-    <message>
-        <source>Please report it with the text in the Report view.</source>
-        <translation>Bitte melden, mit dem Text aus der Berichtsansicht.</translation>
-    </message>
-    <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>Spiraltasche entfernen</translation>
     </message>
     <message>
         <source>Use as Default in This Job</source>

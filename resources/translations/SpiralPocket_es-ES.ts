@@ -128,44 +128,12 @@
         <translation>{} se guardó con un FreeCAD sin Spiral Pocket; su trayectoria puede ser anterior a la pieza. Recalcule el documento.</translation>
     </message>
     <message>
-        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
-        <translation>Cualquier cajera, con islas y estrechos: mantiene el contacto, tiempo mínimo en la máquina</translation>
-    </message>
-    <message>
-        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
-        <translation>Una B-spline exacta del centro a la pared, para cajeras sin islas</translation>
-    </message>
-    <message>
-        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
-        <translation>Vueltas uniformes en torno a la línea media, para cajeras largas y ramificadas</translation>
-    </message>
-    <message>
-        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
-        <translation>Vueltas como líneas de igual temperatura, suaves en todo punto, para cajeras compactas</translation>
-    </message>
-    <message>
-        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
-        <translation>Una espiral redonda que toma la forma de la pared, para cajeras compactas</translation>
-    </message>
-    <message>
-        <source>FreeCAD's Adaptive</source>
-        <translation>Adaptive de FreeCAD</translation>
-    </message>
-    <message>
         <source>Compare...</source>
         <translation>Comparar...</translation>
     </message>
     <message>
         <source>All strategies side by side</source>
         <translation>Todas las estrategias lado a lado</translation>
-    </message>
-    <message>
-        <source>Compare strategies</source>
-        <translation>Comparar estrategias</translation>
-    </message>
-    <message>
-        <source>Pocket {}, {}</source>
-        <translation>Cajera {}, {}</translation>
     </message>
     <message>
         <source>Use this</source>
@@ -196,10 +164,6 @@
         <translation>Sin cortar al alcance</translation>
     </message>
     <message>
-        <source>No pocket: the first line of the panel says why.</source>
-        <translation>No hay cajera: la primera línea del panel dice por qué.</translation>
-    </message>
-    <message>
         <source>the fastest that keeps the limit of engagement</source>
         <translation>la más rápida que respeta el límite de contacto</translation>
     </message>
@@ -214,6 +178,22 @@
     <message>
         <source>No path</source>
         <translation>Sin trayectoria</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive</source>
+        <translation>Adaptive de FreeCAD</translation>
+    </message>
+    <message>
+        <source>Compare strategies</source>
+        <translation>Comparar estrategias</translation>
+    </message>
+    <message>
+        <source>Pocket {}, {}</source>
+        <translation>Cajera {}, {}</translation>
+    </message>
+    <message>
+        <source>No pocket: the first line of the panel says why.</source>
+        <translation>No hay cajera: la primera línea del panel dice por qué.</translation>
     </message>
     <message>
         <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
@@ -256,20 +236,48 @@
         <translation>Avance de los movimientos en profundidad por zona vaciada, 0 para el rápido horizontal</translation>
     </message>
     <message>
-        <source>Start point</source>
-        <translation>Punto de inicio</translation>
+        <source>The same step-over as a length, for this cutter</source>
+        <translation>El mismo paso lateral como longitud, para esta fresa</translation>
     </message>
     <message>
-        <source>"{}"</source>
-        <translation>«{}»</translation>
+        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
+        <translation>El ángulo de contacto en corte recto con este paso: 90° a medio diámetro de fresa, 180° en ranura completa</translation>
+    </message>
+    <message>
+        <source>{}: "{}" is not taken, {} stays.</source>
+        <translation>{}: «{}» no se acepta, queda {}.</translation>
+    </message>
+    <message>
+        <source>OK once more keeps what was made without that.</source>
+        <translation>Otra vez Aceptar conserva lo que se hizo sin eso.</translation>
+    </message>
+    <message>
+        <source>An error in the add-on: the path was not computed.</source>
+        <translation>Un error en el complemento: la trayectoria no se calculó.</translation>
+    </message>
+    <message>
+        <source>Please report it with the text in the Report view.</source>
+        <translation>Infórmelo con el texto de la vista de informe.</translation>
+    </message>
+    <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Quitar cajera en espiral</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
     </message>
     <message>
         <source>Spiral Pocket</source>
         <translation>Cajera en espiral</translation>
     </message>
     <message>
-        <source>{}: "{}" is not taken, {} stays.</source>
-        <translation>{}: «{}» no se acepta, queda {}.</translation>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Engagement, feed, velocity and force along the time</source>
+        <translation>Contacto, avance, velocidad y fuerza a lo largo del tiempo</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>
@@ -310,30 +318,6 @@
     <message>
         <source>The machine's velocity [{}]</source>
         <translation>Velocidad de la máquina [{}]</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Gráficos</translation>
-    </message>
-    <message>
-        <source>Engagement, feed, velocity and force along the time</source>
-        <translation>Contacto, avance, velocidad y fuerza a lo largo del tiempo</translation>
-    </message>
-    <message>
-        <source>Switched off.</source>
-        <translation>Desactivado.</translation>
-    </message>
-    <message>
-        <source>This is the proved path.</source>
-        <translation>Esta es la trayectoria comprobada.</translation>
-    </message>
-    <message>
-        <source>Draft. Stopped; Apply or the next change goes on.</source>
-        <translation>Borrador. Detenido; Aplicar o el próximo cambio continúa.</translation>
-    </message>
-    <message>
-        <source>Draft. The path is being proved: {:.0f} %</source>
-        <translation>Borrador. Comprobando la trayectoria: {:.0f} %</translation>
     </message>
     <message>
         <source>Preview</source>
@@ -396,8 +380,20 @@
         <translation>isla</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>Detener</translation>
+        <source>Switched off.</source>
+        <translation>Desactivado.</translation>
+    </message>
+    <message>
+        <source>This is the proved path.</source>
+        <translation>Esta es la trayectoria comprobada.</translation>
+    </message>
+    <message>
+        <source>Draft. Stopped; Apply or the next change goes on.</source>
+        <translation>Borrador. Detenido; Aplicar o el próximo cambio continúa.</translation>
+    </message>
+    <message>
+        <source>Draft. The path is being proved: {:.0f} %</source>
+        <translation>Borrador. Comprobando la trayectoria: {:.0f} %</translation>
     </message>
     <message>
         <source>Result</source>
@@ -460,36 +456,40 @@
         <translation>avisos: {}</translation>
     </message>
     <message>
+        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
+        <translation>Cualquier cajera, con islas y estrechos: mantiene el contacto, tiempo mínimo en la máquina</translation>
+    </message>
+    <message>
+        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
+        <translation>Una B-spline exacta del centro a la pared, para cajeras sin islas</translation>
+    </message>
+    <message>
+        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
+        <translation>Vueltas uniformes en torno a la línea media, para cajeras largas y ramificadas</translation>
+    </message>
+    <message>
+        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
+        <translation>Vueltas como líneas de igual temperatura, suaves en todo punto, para cajeras compactas</translation>
+    </message>
+    <message>
+        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
+        <translation>Una espiral redonda que toma la forma de la pared, para cajeras compactas</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>Punto de inicio</translation>
+    </message>
+    <message>
+        <source>"{}"</source>
+        <translation>«{}»</translation>
+    </message>
+    <message>
         <source>Switched off: no path until Active is set again.</source>
         <translation>Desactivada: sin trayectoria hasta volver a activar Active.</translation>
     </message>
     <message>
         <source>unknown</source>
         <translation>desconocido</translation>
-    </message>
-    <message>
-        <source>The same step-over as a length, for this cutter</source>
-        <translation>El mismo paso lateral como longitud, para esta fresa</translation>
-    </message>
-    <message>
-        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
-        <translation>El ángulo de contacto en corte recto con este paso: 90° a medio diámetro de fresa, 180° en ranura completa</translation>
-    </message>
-    <message>
-        <source>OK once more keeps what was made without that.</source>
-        <translation>Otra vez Aceptar conserva lo que se hizo sin eso.</translation>
-    </message>
-    <message>
-        <source>An error in the add-on: the path was not computed.</source>
-        <translation>Un error en el complemento: la trayectoria no se calculó.</translation>
-    </message>
-    <message>
-        <source>Please report it with the text in the Report view.</source>
-        <translation>Infórmelo con el texto de la vista de informe.</translation>
-    </message>
-    <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>Quitar cajera en espiral</translation>
     </message>
     <message>
         <source>Use as Default in This Job</source>

@@ -128,44 +128,12 @@
         <translation>{} a été enregistré par un FreeCAD sans Spiral Pocket ; son parcours peut être plus ancien que la pièce. Recalculez le document.</translation>
     </message>
     <message>
-        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
-        <translation>Toute poche, avec îlots et étranglements : tient l'engagement, temps machine minimal</translation>
-    </message>
-    <message>
-        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
-        <translation>Une B-spline exacte du milieu à la paroi, pour poches sans îlots</translation>
-    </message>
-    <message>
-        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
-        <translation>Tours réguliers autour de la ligne médiane, pour poches longues et ramifiées</translation>
-    </message>
-    <message>
-        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
-        <translation>Tours en lignes d'égale température, lisses partout, pour poches compactes</translation>
-    </message>
-    <message>
-        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
-        <translation>Une spirale ronde qui prend la forme de la paroi, pour poches compactes</translation>
-    </message>
-    <message>
-        <source>FreeCAD's Adaptive</source>
-        <translation>Adaptive de FreeCAD</translation>
-    </message>
-    <message>
         <source>Compare...</source>
         <translation>Comparer...</translation>
     </message>
     <message>
         <source>All strategies side by side</source>
         <translation>Toutes les stratégies côte à côte</translation>
-    </message>
-    <message>
-        <source>Compare strategies</source>
-        <translation>Comparer les stratégies</translation>
-    </message>
-    <message>
-        <source>Pocket {}, {}</source>
-        <translation>Poche {}, {}</translation>
     </message>
     <message>
         <source>Use this</source>
@@ -196,10 +164,6 @@
         <translation>Non usiné à portée</translation>
     </message>
     <message>
-        <source>No pocket: the first line of the panel says why.</source>
-        <translation>Pas de poche : la première ligne du panneau dit pourquoi.</translation>
-    </message>
-    <message>
         <source>the fastest that keeps the limit of engagement</source>
         <translation>la plus rapide qui tient la limite d'engagement</translation>
     </message>
@@ -214,6 +178,22 @@
     <message>
         <source>No path</source>
         <translation>Pas de parcours</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive</source>
+        <translation>Adaptive de FreeCAD</translation>
+    </message>
+    <message>
+        <source>Compare strategies</source>
+        <translation>Comparer les stratégies</translation>
+    </message>
+    <message>
+        <source>Pocket {}, {}</source>
+        <translation>Poche {}, {}</translation>
+    </message>
+    <message>
+        <source>No pocket: the first line of the panel says why.</source>
+        <translation>Pas de poche : la première ligne du panneau dit pourquoi.</translation>
     </message>
     <message>
         <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
@@ -256,20 +236,48 @@
         <translation>Avance des trajets en profondeur sur zone vidée, 0 pour l'avance rapide horizontale</translation>
     </message>
     <message>
-        <source>Start point</source>
-        <translation>Point de départ</translation>
+        <source>The same step-over as a length, for this cutter</source>
+        <translation>Le même pas latéral en longueur, pour cette fraise</translation>
     </message>
     <message>
-        <source>"{}"</source>
-        <translation>« {} »</translation>
+        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
+        <translation>L'angle d'engagement en coupe droite à ce pas : 90° à la moitié du diamètre, 180° en pleine rainure</translation>
+    </message>
+    <message>
+        <source>{}: "{}" is not taken, {} stays.</source>
+        <translation>{} : « {} » n’est pas pris, {} reste.</translation>
+    </message>
+    <message>
+        <source>OK once more keeps what was made without that.</source>
+        <translation>Encore une fois OK garde ce qui a été fait sans cela.</translation>
+    </message>
+    <message>
+        <source>An error in the add-on: the path was not computed.</source>
+        <translation>Une erreur dans l'extension : le parcours n'a pas été calculé.</translation>
+    </message>
+    <message>
+        <source>Please report it with the text in the Report view.</source>
+        <translation>Merci de le signaler avec le texte de la vue rapport.</translation>
+    </message>
+    <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>Supprimer la poche en spirale</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
     </message>
     <message>
         <source>Spiral Pocket</source>
         <translation>Poche en spirale</translation>
     </message>
     <message>
-        <source>{}: "{}" is not taken, {} stays.</source>
-        <translation>{} : « {} » n’est pas pris, {} reste.</translation>
+        <source>Plots</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Engagement, feed, velocity and force along the time</source>
+        <translation>Engagement, avance, vitesse et force au fil du temps</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>
@@ -310,30 +318,6 @@
     <message>
         <source>The machine's velocity [{}]</source>
         <translation>Vitesse de la machine [{}]</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Graphiques</translation>
-    </message>
-    <message>
-        <source>Engagement, feed, velocity and force along the time</source>
-        <translation>Engagement, avance, vitesse et force au fil du temps</translation>
-    </message>
-    <message>
-        <source>Switched off.</source>
-        <translation>Désactivé.</translation>
-    </message>
-    <message>
-        <source>This is the proved path.</source>
-        <translation>Ceci est le parcours vérifié.</translation>
-    </message>
-    <message>
-        <source>Draft. Stopped; Apply or the next change goes on.</source>
-        <translation>Ébauche. Arrêté ; Appliquer ou le prochain changement reprend.</translation>
-    </message>
-    <message>
-        <source>Draft. The path is being proved: {:.0f} %</source>
-        <translation>Ébauche. Parcours en vérification : {:.0f} %</translation>
     </message>
     <message>
         <source>Preview</source>
@@ -396,8 +380,20 @@
         <translation>îlot</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>Arrêter</translation>
+        <source>Switched off.</source>
+        <translation>Désactivé.</translation>
+    </message>
+    <message>
+        <source>This is the proved path.</source>
+        <translation>Ceci est le parcours vérifié.</translation>
+    </message>
+    <message>
+        <source>Draft. Stopped; Apply or the next change goes on.</source>
+        <translation>Ébauche. Arrêté ; Appliquer ou le prochain changement reprend.</translation>
+    </message>
+    <message>
+        <source>Draft. The path is being proved: {:.0f} %</source>
+        <translation>Ébauche. Parcours en vérification : {:.0f} %</translation>
     </message>
     <message>
         <source>Result</source>
@@ -460,36 +456,40 @@
         <translation>remarques : {}</translation>
     </message>
     <message>
+        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
+        <translation>Toute poche, avec îlots et étranglements : tient l'engagement, temps machine minimal</translation>
+    </message>
+    <message>
+        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
+        <translation>Une B-spline exacte du milieu à la paroi, pour poches sans îlots</translation>
+    </message>
+    <message>
+        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
+        <translation>Tours réguliers autour de la ligne médiane, pour poches longues et ramifiées</translation>
+    </message>
+    <message>
+        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
+        <translation>Tours en lignes d'égale température, lisses partout, pour poches compactes</translation>
+    </message>
+    <message>
+        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
+        <translation>Une spirale ronde qui prend la forme de la paroi, pour poches compactes</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>Point de départ</translation>
+    </message>
+    <message>
+        <source>"{}"</source>
+        <translation>« {} »</translation>
+    </message>
+    <message>
         <source>Switched off: no path until Active is set again.</source>
         <translation>Désactivée : pas de parcours tant qu’Active n’est pas rétabli.</translation>
     </message>
     <message>
         <source>unknown</source>
         <translation>inconnu</translation>
-    </message>
-    <message>
-        <source>The same step-over as a length, for this cutter</source>
-        <translation>Le même pas latéral en longueur, pour cette fraise</translation>
-    </message>
-    <message>
-        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
-        <translation>L'angle d'engagement en coupe droite à ce pas : 90° à la moitié du diamètre, 180° en pleine rainure</translation>
-    </message>
-    <message>
-        <source>OK once more keeps what was made without that.</source>
-        <translation>Encore une fois OK garde ce qui a été fait sans cela.</translation>
-    </message>
-    <message>
-        <source>An error in the add-on: the path was not computed.</source>
-        <translation>Une erreur dans l'extension : le parcours n'a pas été calculé.</translation>
-    </message>
-    <message>
-        <source>Please report it with the text in the Report view.</source>
-        <translation>Merci de le signaler avec le texte de la vue rapport.</translation>
-    </message>
-    <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>Supprimer la poche en spirale</translation>
     </message>
     <message>
         <source>Use as Default in This Job</source>

@@ -128,44 +128,12 @@
         <translation>{} 曾由没有 Spiral Pocket 的 FreeCAD 保存；其刀路可能比零件旧。请重新计算文档。</translation>
     </message>
     <message>
-        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
-        <translation>任意型腔，含岛屿和窄颈：保持啮合角，机床用时最短</translation>
-    </message>
-    <message>
-        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
-        <translation>从中部到侧壁的一条精确 B 样条，用于无岛屿型腔</translation>
-    </message>
-    <message>
-        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
-        <translation>围绕中线的均匀圈次，用于狭长和分叉型腔</translation>
-    </message>
-    <message>
-        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
-        <translation>圈次如等温线，处处光顺，用于紧凑型腔</translation>
-    </message>
-    <message>
-        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
-        <translation>由圆螺线过渡到侧壁形状，用于紧凑型腔</translation>
-    </message>
-    <message>
-        <source>FreeCAD's Adaptive</source>
-        <translation>FreeCAD 自适应</translation>
-    </message>
-    <message>
         <source>Compare...</source>
         <translation>比较…</translation>
     </message>
     <message>
         <source>All strategies side by side</source>
         <translation>并列比较全部策略</translation>
-    </message>
-    <message>
-        <source>Compare strategies</source>
-        <translation>比较策略</translation>
-    </message>
-    <message>
-        <source>Pocket {}, {}</source>
-        <translation>型腔 {}，{}</translation>
     </message>
     <message>
         <source>Use this</source>
@@ -196,10 +164,6 @@
         <translation>可及范围内未切削</translation>
     </message>
     <message>
-        <source>No pocket: the first line of the panel says why.</source>
-        <translation>没有型腔：面板第一行说明了原因。</translation>
-    </message>
-    <message>
         <source>the fastest that keeps the limit of engagement</source>
         <translation>保持啮合上限的最快策略</translation>
     </message>
@@ -214,6 +178,22 @@
     <message>
         <source>No path</source>
         <translation>无刀路</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Adaptive</source>
+        <translation>FreeCAD 自适应</translation>
+    </message>
+    <message>
+        <source>Compare strategies</source>
+        <translation>比较策略</translation>
+    </message>
+    <message>
+        <source>Pocket {}, {}</source>
+        <translation>型腔 {}，{}</translation>
+    </message>
+    <message>
+        <source>No pocket: the first line of the panel says why.</source>
+        <translation>没有型腔：面板第一行说明了原因。</translation>
     </message>
     <message>
         <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
@@ -256,20 +236,48 @@
         <translation>在已清除区域内以切深移动时的进给，0 为水平快移速度</translation>
     </message>
     <message>
-        <source>Start point</source>
-        <translation>起点</translation>
+        <source>The same step-over as a length, for this cutter</source>
+        <translation>同一步距以长度表示，针对此刀具</translation>
     </message>
     <message>
-        <source>"{}"</source>
-        <translation>“{}”</translation>
+        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
+        <translation>此步距下直线切削的啮合角：半个刀径时为 90°，全槽时为 180°</translation>
+    </message>
+    <message>
+        <source>{}: "{}" is not taken, {} stays.</source>
+        <translation>{}：不接受“{}”，保留 {}。</translation>
+    </message>
+    <message>
+        <source>OK once more keeps what was made without that.</source>
+        <translation>再按一次“确定”即保留其余已完成的部分。</translation>
+    </message>
+    <message>
+        <source>An error in the add-on: the path was not computed.</source>
+        <translation>插件出错：刀路未计算。</translation>
+    </message>
+    <message>
+        <source>Please report it with the text in the Report view.</source>
+        <translation>请连同“报告视图”中的文本一起报告。</translation>
+    </message>
+    <message>
+        <source>Remove Spiral Pocket</source>
+        <translation>删除螺旋型腔</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
     </message>
     <message>
         <source>Spiral Pocket</source>
         <translation>螺旋型腔</translation>
     </message>
     <message>
-        <source>{}: "{}" is not taken, {} stays.</source>
-        <translation>{}：不接受“{}”，保留 {}。</translation>
+        <source>Plots</source>
+        <translation>图表</translation>
+    </message>
+    <message>
+        <source>Engagement, feed, velocity and force along the time</source>
+        <translation>啮合角、进给、速度和切削力随时间变化</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>
@@ -310,30 +318,6 @@
     <message>
         <source>The machine's velocity [{}]</source>
         <translation>机床速度 [{}]</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>图表</translation>
-    </message>
-    <message>
-        <source>Engagement, feed, velocity and force along the time</source>
-        <translation>啮合角、进给、速度和切削力随时间变化</translation>
-    </message>
-    <message>
-        <source>Switched off.</source>
-        <translation>已关闭。</translation>
-    </message>
-    <message>
-        <source>This is the proved path.</source>
-        <translation>这是已验证的刀路。</translation>
-    </message>
-    <message>
-        <source>Draft. Stopped; Apply or the next change goes on.</source>
-        <translation>草稿。已停止；“应用”或下次更改时继续。</translation>
-    </message>
-    <message>
-        <source>Draft. The path is being proved: {:.0f} %</source>
-        <translation>草稿。正在验证刀路：{:.0f} %</translation>
     </message>
     <message>
         <source>Preview</source>
@@ -396,8 +380,20 @@
         <translation>岛屿</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>停止</translation>
+        <source>Switched off.</source>
+        <translation>已关闭。</translation>
+    </message>
+    <message>
+        <source>This is the proved path.</source>
+        <translation>这是已验证的刀路。</translation>
+    </message>
+    <message>
+        <source>Draft. Stopped; Apply or the next change goes on.</source>
+        <translation>草稿。已停止；“应用”或下次更改时继续。</translation>
+    </message>
+    <message>
+        <source>Draft. The path is being proved: {:.0f} %</source>
+        <translation>草稿。正在验证刀路：{:.0f} %</translation>
     </message>
     <message>
         <source>Result</source>
@@ -460,36 +456,40 @@
         <translation>提示：{} 条</translation>
     </message>
     <message>
+        <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
+        <translation>任意型腔，含岛屿和窄颈：保持啮合角，机床用时最短</translation>
+    </message>
+    <message>
+        <source>One exact B-spline from the middle to the wall, for pockets without islands</source>
+        <translation>从中部到侧壁的一条精确 B 样条，用于无岛屿型腔</translation>
+    </message>
+    <message>
+        <source>Even laps about the pocket's middle line, for long and branched pockets</source>
+        <translation>围绕中线的均匀圈次，用于狭长和分叉型腔</translation>
+    </message>
+    <message>
+        <source>Laps like lines of equal temperature, smooth everywhere, for compact pockets</source>
+        <translation>圈次如等温线，处处光顺，用于紧凑型腔</translation>
+    </message>
+    <message>
+        <source>A round spiral that turns into the wall's shape, for compact pockets</source>
+        <translation>由圆螺线过渡到侧壁形状，用于紧凑型腔</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>"{}"</source>
+        <translation>“{}”</translation>
+    </message>
+    <message>
         <source>Switched off: no path until Active is set again.</source>
         <translation>已停用：重新启用 Active 之前没有刀路。</translation>
     </message>
     <message>
         <source>unknown</source>
         <translation>未知</translation>
-    </message>
-    <message>
-        <source>The same step-over as a length, for this cutter</source>
-        <translation>同一步距以长度表示，针对此刀具</translation>
-    </message>
-    <message>
-        <source>The engagement angle of a straight cut at this step-over: 90° at half the cutter's diameter, 180° in a full slot</source>
-        <translation>此步距下直线切削的啮合角：半个刀径时为 90°，全槽时为 180°</translation>
-    </message>
-    <message>
-        <source>OK once more keeps what was made without that.</source>
-        <translation>再按一次“确定”即保留其余已完成的部分。</translation>
-    </message>
-    <message>
-        <source>An error in the add-on: the path was not computed.</source>
-        <translation>插件出错：刀路未计算。</translation>
-    </message>
-    <message>
-        <source>Please report it with the text in the Report view.</source>
-        <translation>请连同“报告视图”中的文本一起报告。</translation>
-    </message>
-    <message>
-        <source>Remove Spiral Pocket</source>
-        <translation>删除螺旋型腔</translation>
     </message>
     <message>
         <source>Use as Default in This Job</source>

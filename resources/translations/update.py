@@ -8,7 +8,7 @@ new is left unfinished for Qt Linguist or a text editor and shows in English unt
 is gone is dropped.
 
 The engine's sentences become templates, ``"The {0} mm cutter does not fit ..."``, which are
-also written to messages.json: by them `gui.localized` finds the figures in a finished sentence.
+also written to messages.json: by them the window finds the figures in a finished sentence.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def collect() -> Iterator[Text]:
     """Yield context and source of every text but the engine's sentences."""
     for path in sorted((ROOT / "resources" / "panels").glob("*.ui")):
         yield from form_texts(path)
-    for path in sorted([*PACKAGE.glob("gui/*.py"), *PACKAGE.glob("op/*.py")]):
+    for path in sorted([*PACKAGE.glob("gui/**/*.py"), *PACKAGE.glob("op/*.py")]):
         yield from call_texts(ast.parse(path.read_text(encoding="utf-8")))
     for text in enumerated():
         yield TEXTS, text

@@ -12,7 +12,7 @@ import pytest
 from FreeCAD import Vector
 from window import IS_LEGACY, WORKBENCH, main_window, pump, report_view
 
-from freecad_spiralpocket.gui.preview import LIVE
+from freecad_spiralpocket.gui.preview.live import LIVE
 from freecad_spiralpocket.op import preferences
 
 if IS_LEGACY:

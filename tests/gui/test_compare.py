@@ -19,10 +19,10 @@ from window import (
 )
 
 from freecad_spiralpocket.engine.model import Strategy
-from freecad_spiralpocket.gui import planning
-from freecad_spiralpocket.gui.comparepicture import picture_of
-from freecad_spiralpocket.gui.previewcolors import Scale
-from freecad_spiralpocket.gui.themecolors import theme
+from freecad_spiralpocket.gui.compare.picture import picture_of
+from freecad_spiralpocket.gui.planning import lanes
+from freecad_spiralpocket.gui.preview.colors import Scale
+from freecad_spiralpocket.gui.qt.theme import theme
 
 NAME = "SpiralPocketCompare"
 
@@ -102,14 +102,14 @@ def test_picked_strategy_is_set_and_its_path_is_known(compared):
 
 
 def test_closing_ends_the_work(opened):
-    planning._proved.clear()
+    lanes._proved.clear()
     page().compare.button.click()
     jobs = [c._job for c in cards() if c._job is not None]
     assert len(jobs) == len(Strategy) + 1
     page().compare.window.dialog.reject()
     pump()
-    assert not planning.proofs._waiting
-    assert not any(s.job in jobs for s in planning.proofs._seats if s.job is not None)
+    assert not lanes.proofs._waiting
+    assert not any(s.job in jobs for s in lanes.proofs._seats if s.job is not None)
     press(CANCEL)
 
 

@@ -3,7 +3,7 @@
 
 from window import pump
 
-from freecad_spiralpocket.gui import later
+from freecad_spiralpocket.gui.qt import later
 
 
 def test_calls_come_once_and_in_time():

@@ -8,9 +8,9 @@ import pytest
 from PySide import QtCore, QtGui
 from window import IS_LEGACY, VERSION
 
-from freecad_spiralpocket.gui import names
-from freecad_spiralpocket.gui.names import shiboken
-from freecad_spiralpocket.gui.panel import FORM
+from freecad_spiralpocket.gui.panel.operation_page import FORM
+from freecad_spiralpocket.gui.qt import names
+from freecad_spiralpocket.gui.qt.names import shiboken
 
 TRIES = 200
 

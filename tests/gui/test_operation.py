@@ -2,6 +2,7 @@
 """From a selected face to a path and back, with the user's own buttons."""
 
 import gc
+import re
 import zipfile
 
 import FreeCAD
@@ -29,7 +30,7 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.gui.names import shiboken
+from freecad_spiralpocket.gui.qt.names import shiboken
 
 
 def only_operation(job):
@@ -407,6 +408,19 @@ def test_document_does_not_name_the_addons_folder(operation, tmp_path):
     with zipfile.ZipFile(file) as archive:
         texts = [archive.read(name) for name in archive.namelist() if name.endswith(".xml")]
     assert not any(b"SpiralPocket.svg" in text for text in texts)
+
+
+def test_documents_name_the_modules_that_they_always_did(operation, tmp_path):
+    """A module of another name would leave operations that are saved without proxies."""
+    file = tmp_path / "job.FCStd"
+    operation.Document.saveAs(str(file))
+    with zipfile.ZipFile(file) as archive:
+        texts = [archive.read(name).decode() for name in ("Document.xml", "GuiDocument.xml")]
+    named = [set(re.findall(r'module="(freecad_spiralpocket[^"]*)"', text)) for text in texts]
+    assert named == [
+        {"freecad_spiralpocket.op.operation"},
+        {"freecad_spiralpocket.gui.viewprovider"},
+    ]
 
 
 @pytest.mark.parametrize("proxy", [None, 1])

@@ -21,9 +21,9 @@ from window import (
 )
 
 from freecad_spiralpocket.engine.model import Strategy
-from freecad_spiralpocket.gui.choices import STRATEGY_NOTES
-from freecad_spiralpocket.gui.fields import Check, Choice, LinkFeed, Number, Quantity
-from freecad_spiralpocket.gui.panel import FIELDS
+from freecad_spiralpocket.gui.fields.field import Check, Choice, LinkFeed, Number, Quantity
+from freecad_spiralpocket.gui.panel.operation_page import FIELDS
+from freecad_spiralpocket.gui.texts.choices import STRATEGY_NOTES
 from freecad_spiralpocket.op.properties import option_names
 
 #: What the user enters into each simple field, and what the property is then if not the same.

@@ -24,9 +24,9 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.gui import previewcolors as colors
 from freecad_spiralpocket.gui.compat import freecad_icon
-from freecad_spiralpocket.gui.themecolors import theme
+from freecad_spiralpocket.gui.preview import colors
+from freecad_spiralpocket.gui.qt.theme import theme
 
 RIB = Path(__file__).resolve().parents[2] / "examples" / "rib.step"
 FLOOR = 3.0  # mm, height of the pockets' floors

@@ -22,9 +22,9 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.gui import plotdock
-from freecad_spiralpocket.gui.plotdata import curves_of
-from freecad_spiralpocket.gui.plotdock import NAME
+from freecad_spiralpocket.gui.plots import dock as plot_dock
+from freecad_spiralpocket.gui.plots.curves import curves_of
+from freecad_spiralpocket.gui.plots.dock import NAME
 from freecad_spiralpocket.op.results import machining_time
 
 
@@ -94,8 +94,8 @@ def test_plots_follow_a_change(opened):
 
 def test_texts_may_be_chinese(opened, monkeypatch):
     pytest.importorskip("matplotlib")
-    assert all(isinstance(family, str) for family in plotdock.chinese_fonts())
-    monkeypatch.setattr(plotdock, "chinese_fonts", lambda: ["Not There", "DejaVu Serif"])
+    assert all(isinstance(family, str) for family in plot_dock.chinese_fonts())
+    monkeypatch.setattr(plot_dock, "chinese_fonts", lambda: ["Not There", "DejaVu Serif"])
     page().plots.button.setChecked(True)
     axes = page().plots.dock._figure.axes[0]
     for text in (axes.title, axes._left_title, page().plots.dock._note):

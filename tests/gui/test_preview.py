@@ -25,8 +25,8 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.gui import planning
-from freecad_spiralpocket.gui.previewscene import NAME, DraftItem, PathItem
+from freecad_spiralpocket.gui.planning import lanes
+from freecad_spiralpocket.gui.preview.scene import NAME, DraftItem, PathItem
 
 
 def preview():
@@ -65,7 +65,7 @@ def nodes(document, name=NAME):
 @pytest.fixture
 def opened(job, floor):
     """Return a new operation with its panel open and its path proved."""
-    planning._proved.clear()
+    lanes._proved.clear()
     select(floor)
     press_toolbar_button()
     FreeCADGui.Selection.clearSelection()
@@ -121,7 +121,7 @@ def test_preview_touches_nothing(doc, opened):
 
 def test_apply_takes_what_the_preview_has_proved(opened, monkeypatch):
     (plan,) = outlook().plans
-    monkeypatch.setattr(planning.proofs, "submit", None)  # nothing is planned anew
+    monkeypatch.setattr(lanes.proofs, "submit", None)  # nothing is planned anew
     press(APPLY)
     assert opened.Proxy.plans[0] is plan
     assert len(opened.Path.Commands) > 50

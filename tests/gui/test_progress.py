@@ -21,8 +21,8 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.gui import lane, planning, workers
-from freecad_spiralpocket.gui.progress import progress_dialog
+from freecad_spiralpocket.gui.planning import lane, lanes, workers
+from freecad_spiralpocket.gui.planning.progress import progress_dialog
 
 NAME = "SpiralPocketProgress"
 #: So small a step-over that the plate's pocket takes seconds, in percent.
@@ -51,8 +51,8 @@ class Stop:
 
 def busy():
     """Return the jobs that are waiting or under way."""
-    running = [s.job for s in planning.proofs._seats if s.job is not None]
-    return running + planning.proofs._waiting
+    running = [s.job for s in lanes.proofs._seats if s.job is not None]
+    return running + lanes.proofs._waiting
 
 
 @pytest.fixture(params=["process", "thread"])
@@ -60,10 +60,10 @@ def worker(request, monkeypatch):
     """Plan in a process, and where there is none."""
     if request.param == "thread":
         monkeypatch.setattr(workers.Interpreters, "left", [])
-    monkeypatch.setattr(planning, "proofs", lane.Lane(1))
-    monkeypatch.setattr(planning, "_proved", {})
+    monkeypatch.setattr(lanes, "proofs", lane.Lane(1))
+    monkeypatch.setattr(lanes, "_proved", {})
     yield request.param
-    planning.proofs.close()
+    lanes.proofs.close()
 
 
 @pytest.mark.parametrize("stage", ["Laying", "Planning feeds"])
@@ -155,8 +155,8 @@ def test_path_is_the_same_wherever_it_is_planned(job, floor, monkeypatch):
             )
         else:
             monkeypatch.undo()
-            monkeypatch.setattr(planning, "proofs", lane.Lane(1))
-            monkeypatch.setattr(planning, "_proved", {})
+            monkeypatch.setattr(lanes, "proofs", lane.Lane(1))
+            monkeypatch.setattr(lanes, "_proved", {})
             if planner == "thread":
                 monkeypatch.setattr(workers.Interpreters, "left", [])
         select(floor)
@@ -165,13 +165,13 @@ def test_path_is_the_same_wherever_it_is_planned(job, floor, monkeypatch):
         (operation,) = job.Operations.Group
         paths.append(operation.Path.toGCode().partition("\n")[2])  # without its name
         press(CANCEL)
-        planning.proofs.close()
+        lanes.proofs.close()
     assert len(paths[0]) > 1000
     assert paths[0] == paths[1] == paths[2]
 
 
 def test_the_window_has_a_process_to_plan_in(job, floor):
-    planning.proofs.warm_up()
+    lanes.proofs.warm_up()
     select(floor)
     press_toolbar_button()
     press(APPLY)

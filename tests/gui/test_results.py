@@ -28,8 +28,8 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.gui import planning
-from freecad_spiralpocket.gui.resulttext import duration
+from freecad_spiralpocket.gui.planning import lanes
+from freecad_spiralpocket.gui.texts.measures import duration
 from freecad_spiralpocket.op import operation
 
 
@@ -140,7 +140,7 @@ def test_click_on_a_remark_brings_the_view_to_its_place(narrow):
 
 
 def test_first_line_says_how_far_the_planning_is(job, floor, monkeypatch):
-    monkeypatch.setattr(planning, "_proved", {})
+    monkeypatch.setattr(lanes, "_proved", {})
     select(floor)
     press_toolbar_button()
     widget("stepOverPercent").setValue(4)

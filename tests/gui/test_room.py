@@ -18,8 +18,8 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.gui.previewlegend import Swatches
-from freecad_spiralpocket.gui.room import DOCKS
+from freecad_spiralpocket.gui.panel.room import DOCKS
+from freecad_spiralpocket.gui.preview.legend import Swatches
 
 MILLIMETERS, INCHES = 0, 3  # FreeCAD's numbers for them
 NARROW = 300  # pixels

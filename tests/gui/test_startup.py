@@ -48,10 +48,10 @@ def test_command_is_active_with_a_job(job):
 
 def test_startup_loads_neither_cam_nor_numerics():
     folder = Path(startup.__file__).parent
-    for name in ("startup.py", "command.py", "adoption.py"):
+    for name in ("startup.py", "command.py", "adoption.py", "resources.py"):
         for node in ast.parse((folder / name).read_text(encoding="utf-8")).body:
             if isinstance(node, ast.Import):
                 assert {a.name for a in node.names} <= LIGHT | {"sys"}
             elif isinstance(node, ast.ImportFrom):
-                allowed = {"__future__", "pathlib", "typing", "adoption", "command"}
+                allowed = {"__future__", "pathlib", "typing", "adoption", "command", "resources"}
                 assert node.module.split(".")[0] in LIGHT | allowed

@@ -21,11 +21,11 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.gui import localized as module
-from freecad_spiralpocket.gui.localized import in_panel, localized
-from freecad_spiralpocket.gui.panel import FIELDS
-from freecad_spiralpocket.gui.resulttext import length, small
-from freecad_spiralpocket.gui.startup import RESOURCES
+from freecad_spiralpocket.gui.panel.operation_page import FIELDS
+from freecad_spiralpocket.gui.resources import RESOURCES
+from freecad_spiralpocket.gui.texts import localized as module
+from freecad_spiralpocket.gui.texts.localized import in_panel, localized
+from freecad_spiralpocket.gui.texts.measures import length, small
 
 FOLDER = RESOURCES / "translations"
 LANGUAGES = sorted(file.stem.partition("_")[2] for file in FOLDER.glob("*.ts"))

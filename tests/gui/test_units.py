@@ -26,7 +26,7 @@ from window import (
 )
 
 from freecad_spiralpocket.gui.compat import has_tool_controller_editor
-from freecad_spiralpocket.gui.localized import in_panel
+from freecad_spiralpocket.gui.texts.localized import in_panel
 
 INCHES = 3  # FreeCAD's number for inches with decimals
 METERS, CENTIMETERS, INCH_FRACTIONS, FEET = 1, 4, 5, 7

@@ -13,9 +13,9 @@ from freecad_spiralpocket.beside.interpreters import Interpreters
 from freecad_spiralpocket.beside.tasks import Drawn
 from freecad_spiralpocket.engine.errors import SpiralPocketError
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
-from freecad_spiralpocket.gui import workers
-from freecad_spiralpocket.gui.lane import Lane
-from freecad_spiralpocket.gui.workers import ProcessWorker, ThreadWorker
+from freecad_spiralpocket.gui.planning import workers
+from freecad_spiralpocket.gui.planning.lane import Lane
+from freecad_spiralpocket.gui.planning.workers import ProcessWorker, ThreadWorker
 
 
 def square(side=30.0, stepover=2.4):

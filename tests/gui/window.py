@@ -15,7 +15,7 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from freecad_spiralpocket.gui.later import later
+from freecad_spiralpocket.gui.qt.later import later
 
 IS_LEGACY = "CAMWorkbench" not in FreeCADGui.listWorkbenches()
 WORKBENCH = "PathWorkbench" if IS_LEGACY else "CAMWorkbench"
