@@ -122,7 +122,10 @@ BELOW = {
 }
 #: What of the modules beside them all may.
 FOR_ALL = {
-    "engine": {"dependencies", "errors", "floor", "levels", "machine", "model", "toolpath"},
+    "engine": {
+        *("dependencies", "errors", "floor", "levels", "machine", "model"),
+        *("stepover", "toolpath"),
+    },
     "gui": {"compat", "resources"},
 }
 PACKAGES = [(part, package) for part, packages in BELOW.items() for package in packages]

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
 from typing import Any, TypeVar
 
-from shapely import Geometry, Polygon
+from shapely import Geometry, GEOSException, Polygon
 from shapely.affinity import scale
 
 from .errors import SpiralPocketError
@@ -22,6 +22,9 @@ from .model import Feeds, Heights, PocketRequest, Section, Tick
 
 #: The lengths in mm of all strategies are meant for this R and this tolerance [mm].
 SIZE, EXACT = 3.0, 0.01
+#: Sizes that are tried, over that. GEOS gives up once in thousands of times where edges nearly
+#: coincide; in another size they are rounded in another way.
+TRIED = (1.0, 0.999, 0.99)
 
 Shape = TypeVar("Shape", bound=Geometry)
 #: A dataclass.
@@ -45,6 +48,23 @@ def planned_resized(
         What the strategy raises, with lengths and places in the size of the pocket.
     """
     factor = max(SIZE / request.cutter_radius, min(1.0, EXACT / request.tolerance))
+    *others, last = TRIED
+    for share in others:
+        try:
+            return _planned_in(share * factor, strategy, region, request, tick)
+        except GEOSException:
+            continue
+    return _planned_in(last * factor, strategy, region, request, tick)
+
+
+def _planned_in(
+    factor: float,
+    strategy: Callable[[Polygon, PocketRequest, Tick], FloorPath],
+    region: Polygon,
+    request: PocketRequest,
+    tick: Tick,
+) -> FloorPath:
+    """Return a region's path, planned `factor` times as large."""
     if factor == 1.0:
         return strategy(region, request, tick)
     try:

@@ -11,6 +11,9 @@ from __future__ import annotations
 
 import math
 
+#: Engagement above this multiple of the limit and this much more [rad] clearly passes it.
+OVER_FACTOR, OVER_MARGIN = 1.15, math.radians(4.0)
+
 
 def engagement_angle(stepover: float, cutter_radius: float) -> float:
     """Return the engagement angle of a straight cut [rad], in ``[0, pi]``.
@@ -36,3 +39,8 @@ def radial_depth(angle: float, cutter_radius: float) -> float:
         R [mm], positive.
     """
     return cutter_radius * (1.0 - math.cos(angle))
+
+
+def over_limit(limit: float) -> float:
+    """Return the engagement angle that clearly passes a limit [rad]: that is told."""
+    return OVER_FACTOR * limit + OVER_MARGIN

@@ -231,6 +231,23 @@ def test_all_else_resized_too_the_path_is_the_same():
         assert LineString(one.points).hausdorff_distance(LineString(other.points)) < 1e-9
 
 
+def test_where_geos_gives_up_another_size_is_tried():
+    made = make_request(L_SHAPE, strategy=Strategy.AUTOMATIC)
+    region = center_regions(made.pocket, made.cutter_radius, 0.0)[0]
+    met = []
+
+    def fails_twice(region, request, tick):
+        met.append(request.tool_diameter)
+        if len(met) < 3:
+            raise shapely.GEOSException("found two shells in EdgeRing list")
+        return automatic_laps.floor_path(region, request, tick)
+
+    path = planned_resized(fails_twice, region, made, lambda done: None)
+    assert met[0] == made.tool_diameter and len(set(met)) == 3
+    within = region.buffer(0.011)
+    assert all(within.covers(LineString(part.points)) for part in path.passes)
+
+
 def test_links_know_the_acceleration_along_the_path():
     brisk = replace(MIDDLING, acceleration=(900.0, 800.0, 300.0))
     made = make_request(SQUARE)

@@ -35,11 +35,11 @@ from .front_rules import NEW, WIDEST, FrontRules
 #: A front goes no farther than the first beyond the last, over R: there the cutter reached over. Or
 #: as far as its widest step where that is farther, up to the second.
 REACHED, REACHED_WIDE = 0.92, 0.96
-#: The rounded corner of a plug is no deeper than this over `FrontRules.closing` and the step-over:
-#: the cutter comes to it along a side and would be engaged that much more.
-BULGE = 0.29
+#: Round the corner of a plug the cutter may be engaged by so much above the limit [rad]: it comes
+#: out of it along a side, to which the old lap was nearer. Asked at chords of so much, over R.
+SLACK, CHORD = np.radians(10.0), 0.1
 #: Radii tried to round a reentrant kink, over `FrontRules.closing`.
-CLOSINGS = (1.0, 0.5, 0.2)
+CLOSINGS = (1.0, 0.6, 0.3)
 #: The same for slim tips that are left where fronts meet: no link bends more tightly.
 TIP = 0.09
 #: A fill's cusp turns by more than this [rad], and is rounded with this radius, over R.
@@ -90,7 +90,11 @@ def _closed(
     def edge() -> shapely.Geometry:
         return shapely.intersection(closed, omega).boundary
 
-    far = fills[_are_beyond(fills, corner, edges == 0, visited, edge, rules)]
+    beyond = _are_beyond(fills, corner, edges == 0, visited, edge, rules)
+    asked = corner & ~beyond
+    if asked.any():
+        beyond[asked] = _are_steep(fills[asked], moved, visited, rules)
+    far = fills[beyond]
     if len(far) == 0:
         return closed
     pieces = [shapely.difference(closed, shapely.union_all(far))]
@@ -114,7 +118,7 @@ def _with_blunt_tips(moved: Region, visited: Polygon, rules: FrontRules) -> Regi
     fills = fills[shapely.area(fills) > SLIVER]
     if len(fills) == 0:
         return moved
-    reach = min(_reach(rules), rules.stepover + BULGE * rules.closing)
+    reach = _gentle_reach(rules)
     coords, of = shapely.get_coordinates(fills, return_index=True)
     kept = _new_edges(fills, moved) != 1
     kept[of[~are_within(visited, coords, reach)]] = True
@@ -145,7 +149,7 @@ def _doubtful_fills(
     closed: Region, moved: Region, visited: Polygon, rules: FrontRules
 ) -> NDArray[np.object_]:
     """Return what was filled; none if surely all of it is within reach of `visited`."""
-    reach = _reach(rules)
+    reach = _gentle_reach(rules)
     is_near = holes_of(closed) >= holes_of(moved) and bool(
         are_within(visited, shapely.get_coordinates(closed), reach).all()
     )
@@ -163,6 +167,11 @@ def _reach(rules: FrontRules) -> float:
     """Return how far beyond the last front the cutter surely clears [mm]."""
     widest = WIDEST * rules.stepover / rules.cutter_radius
     return rules.cutter_radius * min(REACHED_WIDE, max(REACHED, widest))
+
+
+def _gentle_reach(rules: FrontRules) -> float:
+    """Return up to where beyond the last front no corner of a plug is `_are_steep` [mm]."""
+    return min(_reach(rules), rules.cutter_radius * (1 - float(np.cos(rules.limit + SLACK))))
 
 
 def _new_edges(fills: NDArray[np.object_], moved: Region) -> NDArray[np.intp]:
@@ -196,9 +205,6 @@ def _are_beyond(
     regained = lost & corner[of]
     if regained.any():
         lost[regained] = ~shapely.dwithin(edge(), shapely.points(coords[regained]), reach)
-    if corner.any():
-        bulge = rules.stepover + BULGE * rules.closing
-        lost |= corner[of] & ~are_within(visited, coords, bulge)
     beyond = np.zeros(len(fills), dtype=bool)
     beyond[of[lost]] = True
     # the middle of a wide piece may be out of reach though its rim is not
@@ -212,6 +218,32 @@ def _are_beyond(
         near = [grow_coarsely(shapely.intersection(s, window), reach) for s in around]
         beyond[i] = shapely.difference(fills[i], shapely.union_all(near)).area > SLIVER
     return beyond
+
+
+def _are_steep(
+    corners: NDArray[np.object_], moved: Region, visited: Polygon, rules: FrontRules
+) -> NDArray[np.bool_]:
+    """Return round which filled corners the cutter would be engaged too much, either way.
+
+    Where its rim is by the largest angle from the stock's side, stock stands if that place is
+    farther than R from all that it has visited.
+    """
+    radius = rules.cutter_radius
+    rings = shapely.segmentize(shapely.get_exterior_ring(corners), CHORD * radius)
+    coords, of = shapely.get_coordinates(rings, return_index=True)
+    middles, steps = (coords[1:] + coords[:-1]) / 2, np.diff(coords, axis=0)
+    new = (of[1:] == of[:-1]) & ~are_within(moved, middles, NEW)
+    middles, steps, of = middles[new], steps[new], of[1:][new]
+    along = steps / np.maximum(np.hypot(*steps.T), 1e-12)[:, None]
+    aside = np.column_stack([along[:, 1], -along[:, 0]])
+    # a fill is on the left of its ring, if that is counter-clockwise, and the stock on the right
+    aside *= np.where(shapely.is_ccw(rings), 1.0, -1.0)[of, None]
+    angle = rules.limit + SLACK
+    steep = np.zeros(len(corners), dtype=bool)
+    for way in (1.0, -1.0):
+        rim = middles + radius * (np.cos(angle) * aside + way * np.sin(angle) * along)
+        steep[of[~are_within(visited, rim, radius)]] = True
+    return steep
 
 
 def _are_surely_near(

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..model import Floats, PocketRequest
+from ..stepover import over_limit
 
 #: Where the stock bends away from the cutter the step may be so much over the step-over.
 WIDEST = 1.15
@@ -22,8 +23,9 @@ WIDEST = 1.15
 MEETING, FARTHEST = 0.88, 0.92
 #: Least radius of reentrant curves, over R.
 CLOSING = 1.33
-#: Radius with which fronts meet walls, over the step-over.
-FILLET = 1.75
+#: Where a front rounds into a wall the cutter is engaged by so much more, over what clearly passes
+#: the limit.
+ROUNDED = 0.8
 #: The front is new where it is farther than this from the region before [mm].
 NEW = 0.012
 
@@ -62,9 +64,20 @@ def step_limit(engagement_limit: float) -> float:
 
 def rules_of(request: PocketRequest) -> FrontRules:
     """Return what governs the growth of fronts."""
-    radius, stepover = request.cutter_radius, request.cutting.stepover
+    radius = request.cutter_radius
     limit = step_limit(request.engagement_limit)
-    return FrontRules(radius, limit, CLOSING * radius, FILLET * min(stepover, MEETING * radius))
+    return FrontRules(radius, limit, CLOSING * radius, radius * _fillet(limit))
+
+
+def _fillet(limit: float) -> float:
+    """Return the radius with which fronts meet walls, over R.
+
+    The stock there is a disc of that radius and R, cleared by the last front, and the cutter
+    steps over it by as much as on a straight front.
+    """
+    angle = limit + ROUNDED * (over_limit(limit) - limit)
+    stepover, height = 1 - float(np.cos(limit)), float(np.cos(angle))
+    return stepover * (stepover + 2 * height) / (2 * (1 - stepover - height))
 
 
 def engagement_step(curvature: Floats, rules: FrontRules) -> Floats:

@@ -7,21 +7,15 @@ import numpy as np
 from shapely import MultiPolygon
 
 from ..model import Notice, PocketRequest
+from ..stepover import over_limit
 from .wall_steps import WallStep
 
 #: Uncut area over that of the cutter's disc that is worth telling.
 TOLD_UNCUT = 1e-3
-#: Engagement above this multiple of the limit and this much more is told [rad].
-OVER_FACTOR, OVER_MARGIN = 1.15, np.radians(4.0)
 #: Air moves may touch stock over this length [mm].
 TOUCH = 0.1
 
 Place = tuple[float, float] | None
-
-
-def over_limit(limit: float) -> float:
-    """Return the engagement angle that clearly passes the limit [rad]."""
-    return OVER_FACTOR * limit + OVER_MARGIN
 
 
 def tell_gouge(depth: float, place: Place, tolerance: float) -> list[Notice]:

@@ -17,8 +17,8 @@ from ..contact.engagement import Engagement
 from ..contact.swept import SAME_HEIGHT, Pieces
 from ..model import Floats, PocketRequest
 from ..motion.analysis import weighted_quantiles
+from ..stepover import over_limit
 from ..toolpath import Kind, Role, Toolpath
-from .findings import over_limit
 
 #: A height is a floor if the level motion there is at least this share of the longest.
 FLOOR_SHARE = 0.5

@@ -12,6 +12,7 @@ from PySide import QtCore, QtGui
 from ...beside.tasks import Drawn
 from ...engine.errors import SpiralPocketError
 from ...engine.model import PocketRequest
+from ...engine.stepover import over_limit
 from ..planning import lanes
 from ..planning.lane import Job
 from ..preview.colors import OVER_LIMIT, Scale
@@ -150,6 +151,4 @@ def _angle(angle: float, limit: float) -> str:
 
 def _passes(angle: float, limit: float) -> bool:
     """Return whether an engagement angle clearly passes the limit."""
-    from ...engine.proof.findings import over_limit  # needs shapely
-
     return angle > over_limit(limit)
