@@ -28,6 +28,7 @@ from ..shapes.shaping import (
     grow_prepared,
     holes_of,
     opening_of,
+    thick_parts,
     welded,
 )
 from .front_rules import NEW, WIDEST, FrontRules
@@ -39,7 +40,7 @@ REACHED, REACHED_WIDE = 0.92, 0.96
 #: out of it along a side, to which the old lap was nearer. Asked at chords of so much, over R.
 SLACK, CHORD = np.radians(10.0), 0.1
 #: Radii tried to round a reentrant kink, over `FrontRules.closing`.
-CLOSINGS = (1.0, 0.6, 0.3)
+CLOSINGS = (1.0, 0.5, 0.2)
 #: The same for slim tips that are left where fronts meet: no link bends more tightly.
 TIP = 0.09
 #: A fill's cusp turns by more than this [rad], and is rounded with this radius, over R.
@@ -159,8 +160,8 @@ def _doubtful_fills(
     difference = shapely.difference(closed, moved)
     if is_near and shapely.difference(difference, grow_prepared(visited, reach)).area < SLIVER:
         return np.empty(0, object)
-    fills = shapely.get_parts(difference)
-    return fills[shapely.area(fills) > SLIVER]
+    # along straight sides hairs join all corners to a frame, whose edges would not tell them
+    return thick_parts(difference)
 
 
 def _reach(rules: FrontRules) -> float:
