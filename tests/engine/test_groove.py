@@ -2,6 +2,7 @@
 """Grooves: every place is opened level by level, and never more than one bite at once."""
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -10,7 +11,12 @@ from shapely import LineString, Polygon
 
 from freecad_spiralpocket.engine.floor import Descent, Groove
 from freecad_spiralpocket.engine.growth.spiral import between
-from freecad_spiralpocket.engine.opening.branches import feet_between, lengthened, slim_ring
+from freecad_spiralpocket.engine.opening.branches import (
+    feet_between,
+    lengthened,
+    slim_ring,
+    smoothed,
+)
 from freecad_spiralpocket.engine.opening.groove import groove_levels, groove_path
 from freecad_spiralpocket.engine.shapes.polyline import points_at
 from freecad_spiralpocket.engine.shapes.skeleton import medial_axis, peel, without_spurs
@@ -109,3 +115,12 @@ def test_loops_at_the_tips_stay_in_the_groove(region):
     groove, visited = groove_in(region)
     path = groove_path(groove, Descent(0.0, -6.0, ANGLE))
     assert visited.buffer(0.05).covers(LineString(path[:, :2]))
+
+
+def test_a_line_that_is_short_against_its_smoothing_takes_no_more_room_than_others():
+    tracemalloc.start()
+    points = smoothed(LineString([(0.0, 0.0), (1e-4, 0.0)]), R)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most < 1e6
+    assert points[[0, -1]].tolist() == [[0.0, 0.0], [1e-4, 0.0]]

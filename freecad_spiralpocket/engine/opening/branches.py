@@ -27,6 +27,8 @@ TIP = 0.65
 ROUNDING = 3.0
 #: Distance of samples along branches [mm].
 SAMPLING = 0.5
+#: Lines as short against the width of their smoothing are straight: a wider one only takes long.
+WIDEST = 30.0
 
 
 def lengthened(
@@ -72,7 +74,7 @@ def smoothed(line: LineString, width: float) -> Floats:
     """
     count = max(4, int(line.length / SAMPLING))
     points = points_at(line, np.linspace(0, line.length, count))
-    smooth = evened(points, width * count / line.length)
+    smooth = evened(points, count * width / max(line.length, width / WIDEST))
     smooth[0], smooth[-1] = points[0], points[-1]
     return shapely.get_coordinates(shapely.simplify(LineString(smooth), 0.01))
 
