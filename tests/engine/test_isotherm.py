@@ -313,6 +313,28 @@ def test_a_hot_slot_leads_along_all_ridges_that_cross():
     assert max(slot.distance(place) for place in along) < 3.0
 
 
+#: A room with a small one behind a neck, and another that is hardly narrower before it.
+THREE_ROOMS = shapely.union_all(
+    [Point(x, y).buffer(r) for x, y, r in ((40, -1, 30), (-4, 11.5, 16.5), (51, -35.5, 18.5))]
+)
+THREE_ROOMS = THREE_ROOMS.buffer(-3).buffer(6).buffer(-3)
+
+
+def test_a_hot_slot_goes_on_to_small_rooms_where_it_is_to():
+    region = center_regions(THREE_ROOMS, 3.0, 0.0)[0]
+    slot = hot_slot(region, medial_axis(region), make_request(THREE_ROOMS), all_rooms=True)
+    assert all(slot.distance(Point(x, y)) < 3.0 for x, y in ((40, -1), (-4, 11.5), (51, -35.5)))
+
+
+@pytest.mark.parametrize("share", [0.1, 0.4])
+def test_small_rooms_behind_necks_are_cut_without_lifts(share):
+    plan_ = plan(
+        make_request(THREE_ROOMS, strategy=Strategy.ISOTHERM, cutting=Cutting(share * 6.0))
+    )
+    assert lifts_of(plan_) == 0
+    assert plan_.report.uncut_area < 1e-3
+
+
 def test_lifts_count_where_laps_about_all_summits_are_weighed():
     rings = [Point(x, 0).buffer(14).exterior for x in (-13, 13)]
     pocket = shapely.union_all(rings).buffer(4.9)

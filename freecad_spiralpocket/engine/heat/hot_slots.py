@@ -7,6 +7,9 @@ between them laps have tips. So the ridges, the medial axis without its forks in
 are opened by one slot in shallow levels, and that is kept hot: isotherms are then nested all
 the way from the slot to the walls.
 
+A small room beside a large one counts as a corner; where no laps lead to such a slot, it goes on
+to the middle of every room, which is whatever rises again behind a neck.
+
 A ridge that is closed round an island is parted where it is narrowest; laps close there.
 """
 
@@ -22,7 +25,7 @@ from shapely import LineString, Polygon
 
 from ..floor import Slot
 from ..model import PocketRequest
-from ..numerics.graphs import spanning_tree
+from ..numerics.graphs import shortest_paths, spanning_tree
 from ..opening.branches import smoothed
 from ..opening.starts import leaves_no_post, slot_round
 from ..shapes.shaping import grow_coarsely, largest, oriented
@@ -37,6 +40,8 @@ MISSED = 1.5
 #: Tips are peeled while the walls that they serve are nearer than this over the largest clearance;
 #: branches shorter than this over the clearance at their foot are left out: forks into corners.
 PEELED, SPUR = 1.0, 1.6
+#: A room is wider than the neck before it by this, and than the slot: over R.
+NECK, ROOM = 0.9, 1.0
 #: Width of the smoothing along ridges, and the shortest of them, over R.
 SMOOTHING, SHORTEST = 1.0, 1.0
 #: Where a ridge round an island is parted the ends of the slot are so far apart over the step-over,
@@ -49,7 +54,9 @@ OFFS, HAIRLINE = (0.3, 0.2, 0.1), 0.1
 ROUNDINGS = (0.5, 0.25, 0.1)
 
 
-def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon | None:
+def hot_slot(
+    region: Polygon, axis: Skeleton, request: PocketRequest, *, all_rooms: bool = False
+) -> Polygon | None:
     """Return the region that a slot along its outline opens; None if there is no ridge for it.
 
     Parameters
@@ -59,10 +66,18 @@ def hot_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Polygon
     axis : Skeleton
         Its medial axis.
     request : PocketRequest
+    all_rooms : bool, optional
+        Whether it goes on to small rooms beside large ones.
     """
     if not region.interiors and axis.clearance.max(initial=0.0) < request.cutter_radius:
         return None  # once round such a narrow region all of it is cut
-    ridges, stepover = _ridges(axis), request.cutting.stepover
+    stepover = request.cutting.stepover
+    branches = peel(axis, PEELED)
+    ridges = _without_forks(axis, branches)
+    if all_rooms:
+        middles = _rooms(axis, request.cutter_radius)
+        is_long = _length(axis, ridges) >= SHORTEST * request.cutter_radius
+        ridges = _to_rooms(axis, branches, middles) if is_long or len(middles) > 1 else []
     best, fewest = None, np.inf
     for off in OFFS:
         for slot, missed in _slots_off(off * stepover, region, axis, ridges, request):
@@ -123,9 +138,54 @@ def _smoothed(slot: Polygon, fence: Polygon, request: PocketRequest) -> Polygon:
     return oriented(slot)
 
 
-def _ridges(axis: Skeleton) -> Edges:
-    """Return the edges of the axis without its forks into corners; none for a compact region."""
-    edges = peel(axis, PEELED)
+def _length(axis: Skeleton, edges: Edges) -> float:
+    """Return the length of edges [mm]."""
+    ends = axis.nodes[np.array(edges, np.intp).reshape(-1, 2)]
+    return float(np.hypot(*(ends[:, 0] - ends[:, 1]).T).sum())
+
+
+def _to_rooms(axis: Skeleton, edges: Edges, middles: list[int]) -> Edges:
+    """Return edges with the shortest ways to the middles of rooms; if none, between these."""
+    lengths = np.hypot(*(axis.nodes[axis.edges[:, 0]] - axis.nodes[axis.edges[:, 1]]).T)
+    kept, reached = {frozenset(edge) for edge in edges}, {node for edge in edges for node in edge}
+    if not reached:
+        reached.update(middles[:1])
+    for middle in middles:
+        away, before = shortest_paths(axis.edges, lengths, middle)
+        node = min(reached, key=lambda other: float(away[other]))
+        way = [node]
+        while before[way[-1]] >= 0:
+            way.append(int(before[way[-1]]))
+        kept.update(frozenset(edge) for edge in pairwise(way))
+        reached.update(way)
+    return sorted((min(edge), max(edge)) for edge in kept)
+
+
+def _rooms(axis: Skeleton, radius: float) -> list[int]:
+    """Return the widest node of each room that a neck parts from wider ones, the widest first."""
+    neighbors = _neighbors([(a, b) for a, b in axis.edges.tolist()])
+    peak: dict[int, int] = {}  # of each node that is as wide as any looked at so far
+
+    def peak_of(node: int) -> int:
+        while peak[node] != node:
+            peak[node] = node = peak[peak[node]]
+        return node
+
+    rooms = []
+    for node in np.argsort(-axis.clearance, kind="stable").tolist():
+        peak[node] = node
+        peaks = {peak_of(other) for other in neighbors.get(node, ()) if other in peak}
+        widest = max(peaks, key=lambda p: (axis.clearance[p], -p), default=node)
+        for other in (node, *peaks):
+            peak[other] = widest
+        narrow = axis.clearance[node] / NECK
+        rooms += [p for p in peaks - {widest} if axis.clearance[p] > max(narrow, ROOM * radius)]
+    rooms += [node for node in peak if peak[node] == node]
+    return sorted(rooms, key=lambda p: (-axis.clearance[p], p))
+
+
+def _without_forks(axis: Skeleton, edges: Edges) -> Edges:
+    """Return edges without the branches that are short beside the room at their foot."""
     while True:
         spurs: set[frozenset[int]] = set()
         neighbors = _neighbors(edges)

@@ -134,21 +134,26 @@ def _shortest(
     The parameters are those of `floor_path` and `isotherms.family_of`.
     """
     axis = medial_axis(region, request.tool_diameter)
-    slot = hot_slot(region, axis, request)
-    # partners on rings are sought beside their vertices
-    slot = None if slot is None else shapely.segmentize(slot, SPACING)
-    about, effort, limit = None, _Effort(), None
-    if slot is not None:
+    about, effort, limit, tried = None, _Effort(), None, None
+    for all_rooms in (False, True):
+        slot = hot_slot(region, axis, request, all_rooms=all_rooms)
+        if slot is None or slot == tried:
+            continue
+        tried = slot
+        # partners on rings are sought beside their vertices
+        slot = shapely.segmentize(slot, SPACING)
         try:
             family = family_of(region, request, fillet, deviation, slot)
             wall = _lap(family, outer_room(family), tick, effort)
-            about = wall, mover(family.field, effort.even, family.heat)
         except (NotYetError, CutterDoesNotFitError):
             effort = _Effort()
-        if about is not None and not _is_compact(region, slot, float(axis.clearance.max())):
+            continue
+        about = wall, mover(family.field, effort.even, family.heat)
+        if not _is_compact(region, slot, float(axis.clearance.max())):
             if effort.length < CROWDED * region.area / request.cutting.stepover:
                 return about
             limit = _Effort(MUCH_SHORTER * effort.length)
+        break
     family = family_of(region, request, fillet, deviation)
     if about is None:
         return laps_of(family, tick), mover(family.field)
