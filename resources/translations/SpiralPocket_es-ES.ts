@@ -1119,6 +1119,10 @@
         <translation>Tome una fresa menor.</translation>
     </message>
     <message>
+        <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
+        <translation>Tome un paso lateral de {0} %, una fresa menor o la estrategia Automático.</translation>
+    </message>
+    <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>Tome una fresa mayor o un paso lateral mayor.</translation>
     </message>

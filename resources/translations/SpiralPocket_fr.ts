@@ -1119,6 +1119,10 @@
         <translation>Prenez une fraise plus petite.</translation>
     </message>
     <message>
+        <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
+        <translation>Prenez un pas latéral de {0} %, une fraise plus petite ou la stratégie Automatique.</translation>
+    </message>
+    <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>Prenez une fraise plus grosse ou un pas plus grand.</translation>
     </message>

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -514,3 +515,11 @@ def test_a_neck_without_room_for_isotherms_is_refused_with_its_place():
     with pytest.raises(NotYetError, match=r"too narrow at X4\d\.\d Y20") as caught:
         path_of(rooms)
     assert caught.value.hint
+
+
+def test_a_refusal_tells_a_step_over_with_which_laps_lead_on():
+    with pytest.raises(NotYetError) as caught:
+        path_of(FINS, cutting=Cutting(0.6 * 6.0))
+    percent = int(re.search(r"a step-over of (\d+) %", caught.value.hint)[1])
+    _, path = path_of(FINS, cutting=Cutting(percent / 100 * 6.0))
+    assert path.passes

@@ -31,7 +31,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -89,6 +89,9 @@ CROWDED, MUCH_SHORTER = 3.5, 0.85
 COMPACT = 1.5
 #: Steps of less than this share are none where a slot is kept hot.
 LEAST_HOT = 1e-4
+#: Where none lead on, these step-overs are tried, over the one that is asked for, up to that many
+#: percent of D: the first that leads on is told.
+OTHERS, MOST_PERCENT = (1.25, 1.5, 2.0, 0.8), 70
 #: More laps than this are refused.
 MOST_LAPS = 300
 
@@ -116,15 +119,37 @@ def floor_path(
         If there is no room to go down.
     """
     region = oriented(shapely.simplify(region, 0.001))
-    fillet = corner_fillet(region, request.cutting.stepover)
-    wall, move = _shortest(region, request, fillet, deviation, tick)
+    try:
+        wall, move = _shortest(region, request, deviation, tick)
+    except NotYetError as error:
+        percent = _percent_that_leads(region, request, deviation, tick)
+        if percent is not None:
+            error.hint = (
+                f"Take a step-over of {percent} %, a smaller cutter or the strategy Automatic."
+            )
+        raise
     if request.cutting.finishing_lap:
         wall = Lap(region, 0.0, (wall,))
     return path_through(wall, region, request, motion_of(request), move, tick)
 
 
+def _percent_that_leads(
+    region: Polygon, request: PocketRequest, deviation: float | None, tick: Tick
+) -> int | None:
+    """Return one of a few other step-overs with which laps lead on [% of D]; None if none does."""
+    percent = 100 * request.cutting.stepover / request.tool_diameter
+    for other in (round(share * percent) for share in OTHERS):
+        if not 0 < other <= MOST_PERCENT:
+            continue
+        cutting = replace(request.cutting, stepover=other / 100 * request.tool_diameter)
+        with suppress(NotYetError, CutterDoesNotFitError):
+            _shortest(region, replace(request, cutting=cutting), deviation, tick)
+            return other
+    return None
+
+
 def _shortest(
-    region: Polygon, request: PocketRequest, fillet: float, deviation: float | None, tick: Tick
+    region: Polygon, request: PocketRequest, deviation: float | None, tick: Tick
 ) -> tuple[Lap, Mover]:
     """Return the laps about a hot slot, or those to the plate's summits if they are shorter.
 
@@ -133,6 +158,7 @@ def _shortest(
 
     The parameters are those of `floor_path` and `isotherms.family_of`.
     """
+    fillet = corner_fillet(region, request.cutting.stepover)
     axis = medial_axis(region, request.tool_diameter)
     about, effort, limit, tried = None, _Effort(), None, None
     for all_rooms in (False, True):
