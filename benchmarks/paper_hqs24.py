@@ -23,7 +23,8 @@ from shapely.affinity import scale
 
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.engine.floor import Pass, Slot
-from freecad_spiralpocket.engine.heat.isotherms import INSET, Family, family_of, mover, refitted
+from freecad_spiralpocket.engine.heat.family import INSET, Family, family_of
+from freecad_spiralpocket.engine.heat.isotherms import mover, refitted
 from freecad_spiralpocket.engine.heat.nested import Lap, path_through
 from freecad_spiralpocket.engine.laps.isotherm import laps_of
 from freecad_spiralpocket.engine.links.estimates import motion_of

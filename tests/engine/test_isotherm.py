@@ -18,17 +18,10 @@ from shapes import request as make_request
 
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetError
 from freecad_spiralpocket.engine.floor import FloorPath, Helix, Pass, Slot
+from freecad_spiralpocket.engine.heat.family import distances, evened, family_of, points_of
 from freecad_spiralpocket.engine.heat.hermite_quartic import ClosedFit, ClosedQuartic
 from freecad_spiralpocket.engine.heat.hot_slots import hot_slot
-from freecad_spiralpocket.engine.heat.isotherms import (
-    distances,
-    evened,
-    family_of,
-    mover,
-    outer_room,
-    points_of,
-    rooms_at,
-)
+from freecad_spiralpocket.engine.heat.isotherms import mover, outer_room, rooms_at
 from freecad_spiralpocket.engine.heat.kinks import softened
 from freecad_spiralpocket.engine.heat.poisson import HeatField, solve
 from freecad_spiralpocket.engine.heat.turns import EASE, Ring, match, rise, turn

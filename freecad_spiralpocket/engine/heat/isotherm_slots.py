@@ -23,7 +23,8 @@ from ..model import Floats
 from ..opening.entry import fit_helix_radius
 from ..opening.start import slot_bite
 from ..shapes.region import grow, polygons_of, widest_disc
-from .isotherms import Family, Room, distances, isotherms, points_of
+from .family import Family, Room, distances, points_of
+from .isotherms import isotherms
 from .nested import Lap
 
 #: A core is opened by a slot where a helix would need more laps than this times its levels.

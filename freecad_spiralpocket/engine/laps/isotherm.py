@@ -29,7 +29,6 @@ The step-over is held, the engagement in bends is not: the report says how far.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
@@ -39,43 +38,20 @@ from shapely import Point, Polygon
 
 from ..errors import CutterDoesNotFitError, NotYetError
 from ..floor import FloorPath, Slot
+from ..heat.family import Family, Room, distances, evened, family_of, points_of
 from ..heat.hot_slots import hot_slot
-from ..heat.isotherm_slots import core_of, core_share, pays, slots_for
-from ..heat.isotherms import (
-    Family,
-    Room,
-    distances,
-    evened,
-    family_of,
-    from_lines,
-    isotherms,
-    lines_at,
-    mover,
-    outer_room,
-    points_of,
-    rooms_at,
-    slack,
-)
+from ..heat.isotherm_slots import core_of
+from ..heat.isotherms import mover, outer_room
 from ..heat.nested import SPACING, Lap, Mover, path_through
+from ..heat.next_laps import REFITTED, holds, inner_rooms, rooms_about
 from ..heat.poisson import HeatField
 from ..links.estimates import LIFT_SECONDS, motion_of
-from ..model import Floats, PocketRequest, Tick
+from ..model import PocketRequest, Tick
 from ..opening.start import slot_bite
 from ..shapes.shaping import oriented
 from ..shapes.skeleton import medial_axis
 from .closing import corner_fillet
 
-#: Steps of the search for the next isotherm. It begins with this share of the temperature left, and
-#: ends where the distance is this close to the step-over; distances are measured from every so
-#: many points of a lap.
-BISECTIONS, FIRST_SHARE, CLOSE, THINNED = 14, 0.08, 0.97, 5
-#: Refitted laps may be farther apart by this factor.
-REFITTED = 1.02
-#: A step of less than this share of the temperature left is no step.
-LEAST_STEP = 2e-3
-#: Below this share laps may creep along a neck; there these steps are tried with slots.
-SLOW = 0.03
-NECK_STEPS = (0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.01, 0.005)
 #: From a lap that is nowhere farther from the hot slot than this over the step-over the way there
 #: is divided evenly.
 EVEN = 5.0
@@ -87,8 +63,6 @@ FINE = 0.2
 CROWDED, MUCH_SHORTER = 3.5, 0.85
 #: A region whose ridges are shorter than this over its largest clearance is compact.
 COMPACT = 1.5
-#: Steps of less than this share are none where a slot is kept hot.
-LEAST_HOT = 1e-4
 #: Where none lead on, these step-overs are tried, over the one that is asked for, up to that many
 #: percent of D: the first that leads on is told.
 OTHERS, MOST_PERCENT = (1.25, 1.5, 2.0, 0.8), 70
@@ -256,7 +230,7 @@ def _lap(family: Family, room: Room, tick: Tick, effort: _Effort) -> Lap:
     effort.laps += 1
     effort.spend(room.region.length, room.region.representative_point())
     tick(0.1 + 0.5 * (1 - room.region.area / family.region.area))
-    if family.hot is not None and _holds(room.region, family.hot):
+    if family.hot is not None and holds(room.region, family.hot):
         return _lap_about(family, family.hot, room, tick, effort)
     core = core_of(family, room)
     if core is not None:
@@ -264,7 +238,7 @@ def _lap(family: Family, room: Room, tick: Tick, effort: _Effort) -> Lap:
             effort.length -= room.region.exterior.length  # the slot is that lap
         effort.spend(_way_down(core, family), room.region.representative_point())
         return core if core.region is room.region else Lap(room.region, room.level, (core,))
-    rooms, slots = _inner_rooms(family, room)
+    rooms, slots = inner_rooms(family, room)
     if len(rooms) + len(slots) > effort.cores:
         raise NotYetError("The plate has several summits.", "", None)
     for slot in slots:
@@ -308,7 +282,7 @@ def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Ef
         with suppress(NotYetError):
             return Lap(room.region, level, _evened_laps(family, room, tick, effort))
         effort.laps, effort.length = spent
-    rooms = _rooms_about(family, hot, room, points)
+    rooms = rooms_about(family, hot, room, points)
     if rooms:
         laps = (_lap(family, one, tick, effort) for one in reversed(rooms))
         return Lap(room.region, level, tuple(laps))
@@ -338,104 +312,3 @@ def _evened_laps(family: Family, room: Room, tick: Tick, effort: _Effort) -> tup
                 raise
         # where laps are close the grid hardly shows what is between the last ones
         effort.laps, effort.length, finer = laps, length, 2 * finer
-
-
-def _holds(region: Polygon, hot: Polygon) -> bool:
-    """Return whether a region has the hot slot inside."""
-    return bool(region.contains(hot.representative_point()))
-
-
-def _rooms_about(family: Family, hot: Polygon, room: Room, points: Floats) -> list[Room]:
-    """Return the rooms inside of the next laps about the hot slot; none if these are no guide.
-
-    `points` are those of the room's lap.
-    """
-
-    def level(share: float) -> float:
-        return room.level + share * (family.heat - room.level)
-
-    def farthest(share: float) -> float:
-        return float(from_lines(points[::THINNED], lines_at(family, room, level(share))).max())
-
-    def off_laps(share: float) -> float:
-        parts = isotherms(family, room, level(share))
-        if family.is_even:
-            parts = [part for part in parts if _holds(part, hot)]
-        return float(distances(points[::THINNED], parts).max())
-
-    share = _largest(farthest, family.stepover)
-    while share > LEAST_HOT:
-        rooms = rooms_at(family, room, level(share))
-        if family.is_even:  # others are on no way to the slot, and thin
-            rooms = [one for one in rooms if _holds(one.region, hot)]
-        if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
-            return rooms
-        share *= 0.95
-        # refitting takes long; no refitted lap is as much nearer
-        while share > LEAST_HOT and off_laps(share) > REFITTED * family.stepover + slack(family):
-            share *= 0.95
-    return []
-
-
-def _inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
-    """Return the rooms inside of the next laps, the hottest last, and slots for what they leave.
-
-    Raises
-    ------
-    NotYetError
-        If neither laps nor slots lead on.
-    """
-    _, hottest = room.peak(family.field)
-
-    def level(share: float) -> float:
-        return room.level + share * (hottest - room.level)
-
-    points = points_of(room.region)
-    some = points[::THINNED]
-
-    def farthest(share: float) -> float:
-        return float(from_lines(some, lines_at(family, room, level(share))).max())
-
-    low = _largest(farthest, family.stepover)
-    if low < SLOW:
-        for share in NECK_STEPS:
-            lines = isotherms(family, room, level(share))
-            if low > LEAST_STEP and not pays(family, distances(some, lines).max()):
-                break
-            slots = slots_for(family, room, lines, low > LEAST_STEP)
-            if slots:
-                return rooms_at(family, room, level(share)), slots
-    low = core_share(family, room, low, hottest)
-    while low > LEAST_STEP:
-        rooms = rooms_at(family, room, level(low))
-        if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
-            return rooms, []
-        low *= 0.95
-    off = distances(points, isotherms(family, room, level(LEAST_STEP)))
-    x, y = points[int(np.argmax(off))]
-    raise NotYetError(
-        "The pocket is too narrow at {at} for Isotherm: no isotherm leads through.",
-        "Take a smaller cutter or the strategy Automatic.",
-        (float(x), float(y)),
-    )
-
-
-def _largest(distance: Callable[[float], float], most: float) -> float:
-    """Return the largest share in ``(0, 1)`` whose distance is at most `most`, nearly.
-
-    The distance rises with the share, from 0: about as its square root or evenly.
-    """
-    low, high, near = 0.0, 1.0, 0.0
-    guess = FIRST_SHARE
-    for _ in range(BISECTIONS):
-        far = distance(guess)
-        if far <= most:
-            low, near = guess, far
-            if far >= CLOSE * most:
-                break
-            ahead = guess * min((most / max(far, 1e-9)) ** 1.5, 8.0)
-            guess = min(ahead, (low + high) / 2) if high < 1.0 else min(ahead, (low + 1) / 2)
-        else:
-            high = guess
-            guess = low + (high - low) * max(0.1, min(0.7, (most - near) / (far - near)))
-    return low
