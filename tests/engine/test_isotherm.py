@@ -516,3 +516,14 @@ def test_a_refusal_tells_a_step_over_with_which_laps_lead_on():
     percent = int(re.search(r"a step-over of (\d+) %", caught.value.hint)[1])
     _, path = path_of(FINS, cutting=Cutting(percent / 100 * 6.0))
     assert path.passes
+
+
+def test_a_hot_slot_that_runs_into_a_corner_is_in_the_plate():
+    corners = [(-11.4, 14.1), (16.2, -10.5), (10.5, -23.6), (9.4, -23.4), (-17.7, 10.5)]
+    pocket = Polygon(corners)
+    region = center_regions(pocket, 3.0, 0.0)[0]
+    request = make_request(pocket, strategy=Strategy.ISOTHERM)
+    slot = hot_slot(region, medial_axis(region), request)
+    family = family_of(region, request, 4 * STEP, None, slot)
+    assert family.region.covers(slot)
+    assert plan(request).report.uncut_area < 1e-3

@@ -129,6 +129,9 @@ def family_of(
     if deviation is None:
         deviation = min(LARGEST_DEVIATION, DEVIATION * stepover)
     rounded = _rounded(region, fillet)
+    if hot is not None and not rounded.covers(hot):
+        # the slot runs into a corner; it keeps off the walls themselves
+        rounded = _rounded(region, 0.0)
     even = math.sqrt(rounded.area / UNKNOWNS)
     coarsest = (COARSEST if hot is None else COARSEST_HOT) * stepover
     spacing = max(min(even, coarsest), math.sqrt(rounded.area / MOST))
