@@ -29,7 +29,7 @@ from .slot import ways_aside
 from .stair_profile import profile_of
 
 #: Stairs are not worth a look that save less than this, over all stock.
-WORTH = 0.023
+WORTH = 0.015
 #: What laps must do in every corner that the lines avoid, over R and the inner line's distance.
 LUMP = 2.5
 #: The ring is longer than this over all ramps and ways aside.
