@@ -160,8 +160,14 @@ def _doubtful_fills(
     difference = shapely.difference(closed, moved)
     if is_near and shapely.difference(difference, grow_prepared(visited, reach)).area < SLIVER:
         return np.empty(0, object)
+    fills = shapely.get_parts(difference)
+    fills = fills[shapely.area(fills) > SLIVER]
     # along straight sides hairs join all corners to a frame, whose edges would not tell them
-    return thick_parts(difference)
+    framed = _new_edges(fills, moved) > 1
+    if framed.any():
+        apart = [fills[~framed], *(thick_parts(frame) for frame in fills[framed])]
+        fills = np.concatenate(apart)
+    return fills
 
 
 def _reach(rules: FrontRules) -> float:
