@@ -83,7 +83,7 @@ def _closed(
     fills = _doubtful_fills(closed, moved, visited, rules)
     if len(fills) == 0:
         return closed
-    edges = _new_edges(fills, moved)
+    fills, edges = _told_apart(fills, moved)
     # only a plug's corners: elsewhere strokes, not laps, would have to take so much
     corner = (edges == 1) & shapely.contains_properly(Polygon(visited.exterior), fills)
 
@@ -161,13 +161,23 @@ def _doubtful_fills(
     if is_near and shapely.difference(difference, grow_prepared(visited, reach)).area < SLIVER:
         return np.empty(0, object)
     fills = shapely.get_parts(difference)
-    fills = fills[shapely.area(fills) > SLIVER]
-    # along straight sides hairs join all corners to a frame, whose edges would not tell them
-    framed = _new_edges(fills, moved) > 1
-    if framed.any():
-        apart = [fills[~framed], *(thick_parts(frame) for frame in fills[framed])]
-        fills = np.concatenate(apart)
-    return fills
+    return fills[shapely.area(fills) > SLIVER]
+
+
+def _told_apart(
+    fills: NDArray[np.object_], moved: Region
+) -> tuple[NDArray[np.object_], NDArray[np.intp]]:
+    """Return fills and how many new edges each has.
+
+    Along straight sides hairs join corners to a frame, whose edges would not tell them: without.
+    """
+    edges = _new_edges(fills, moved)
+    framed = edges > 1
+    if not framed.any():
+        return fills, edges
+    parts = np.concatenate([thick_parts(frame) for frame in fills[framed]])
+    fills = np.concatenate([fills[~framed], parts])
+    return fills, np.concatenate([edges[~framed], _new_edges(parts, moved)])
 
 
 def _reach(rules: FrontRules) -> float:
