@@ -57,9 +57,9 @@ CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
 #: A start with more links than the best so far is taken if it is faster by this share: where a
 #: stroke leaves a wall the engagement jumps, and links wear the machine.
 TIE = 0.06
-#: A slot without stairs spares so many of the links at most: it is not grown where stairs save
-#: more than that.
-SPARED = 3
+#: A slot without stairs spares so many of the links, and the second of the time in all of them, at
+#: most: it is not grown where stairs save more than that.
+SPARED, SPARED_SHARE = 0.9, 0.3
 #: The order of so many runs is searched for.
 WORTH_A_SEARCH = 4
 
@@ -164,7 +164,7 @@ def _fastest(
             more = entry_seconds(start.plain, request, motion) - entry
             more += _least_left(start.plain.visited, start.plain, rules, motion)
             more -= _least_left(start.visited, start, rules, motion)
-            spared = min(1.0, SPARED / links) * (seconds - at_least)
+            spared = min(SPARED_SHARE, SPARED / links) * link_seconds(laid.all_steps, motion)
             if toll * (seconds + more - spared) < best.seconds:
                 starts.append((start.plain, within))
     if best.start is None:
