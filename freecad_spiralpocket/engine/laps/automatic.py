@@ -51,6 +51,9 @@ from ..shapes.shaping import grow_coarsely, largest, oriented, thick_parts
 
 #: A start is given up that needs more levels than this over the best.
 HOPELESS_LEVELS = 1.8
+#: What a front leaves takes longer by this than the least: of 130 starts it took 1.4 times that in
+#: the one where it was least.
+LIKELY = 1.3
 #: No corner takes so many levels; what does is a channel hardly wider than the cutter, where
 #: strokes cannot hold the engagement. A start that leaves one is taken if it is faster by this.
 CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
@@ -277,12 +280,13 @@ def _grown(
         corners += is_corner
         if len(fronts) > most + 1:
             return None
-        if best.start is not None and len(fronts) > 1:
-            more = strokes_between(fronts[-2], front, len(fronts) - 1)
-            strokes += strokes_in_stock(more, start.idle)
-            at_least = entry + least_seconds(strokes, motion)
-            at_least += _least_left(front, start, rules, motion)
-            if not best.is_beaten_by(at_least, _open_strokes(strokes)):
+        if best.start is not None:
+            if len(fronts) > 1:
+                more = strokes_between(fronts[-2], front, len(fronts) - 1)
+                strokes += strokes_in_stock(more, start.idle)
+            likely = entry + least_seconds(strokes, motion)
+            likely += LIKELY * _least_left(front, start, rules, motion)
+            if not best.is_beaten_by(likely, _open_strokes(strokes)):
                 return None
     return fronts, corners
 
