@@ -28,7 +28,6 @@ from ..shapes.shaping import (
     grow_prepared,
     holes_of,
     opening_of,
-    thick_parts,
     welded,
 )
 from .front_rules import NEW, WIDEST, FrontRules
@@ -49,6 +48,9 @@ CUSP_TURN, CUSP = np.radians(25.0), 0.35
 ARM = 0.5
 #: A fill is small whose points and middle are no farther from its rim than this over the reach.
 SMALL = 0.1
+#: Beside a moved front so much of a fill is left out [mm]: a closing comes as near as this to edges
+#: that it does not round, and hairs along them would join fills.
+HAIR = 0.005
 #: Distance of the points of a fill by which its new edges are counted [mm].
 EDGE = 0.5
 
@@ -83,7 +85,7 @@ def _closed(
     fills = _doubtful_fills(closed, moved, visited, rules)
     if len(fills) == 0:
         return closed
-    fills, edges = _told_apart(fills, moved)
+    edges = _new_edges(fills, moved)
     # only a plug's corners: elsewhere strokes, not laps, would have to take so much
     corner = (edges == 1) & shapely.contains_properly(Polygon(visited.exterior), fills)
 
@@ -115,8 +117,7 @@ def _with_blunt_tips(moved: Region, visited: Polygon, rules: FrontRules) -> Regi
     """
     radius = TIP * rules.closing
     closed = closing_of(moved, radius)
-    fills = shapely.get_parts(shapely.difference(closed, moved))
-    fills = fills[shapely.area(fills) > SLIVER]
+    fills = _pieces(_filled(closed, moved))
     if len(fills) == 0:
         return moved
     reach = _gentle_reach(rules)
@@ -157,27 +158,21 @@ def _doubtful_fills(
     # an arm that was filled has no edge left that would tell
     if is_near and moved.length - closed.length < ARM * rules.cutter_radius:
         return np.empty(0, object)
-    difference = shapely.difference(closed, moved)
-    if is_near and shapely.difference(difference, grow_prepared(visited, reach)).area < SLIVER:
+    filled = _filled(closed, moved)
+    if is_near and shapely.difference(filled, grow_prepared(visited, reach)).area < SLIVER:
         return np.empty(0, object)
-    fills = shapely.get_parts(difference)
-    return fills[shapely.area(fills) > SLIVER]
+    return _pieces(filled)
 
 
-def _told_apart(
-    fills: NDArray[np.object_], moved: Region
-) -> tuple[NDArray[np.object_], NDArray[np.intp]]:
-    """Return fills and how many new edges each has.
+def _filled(closed: Region, moved: Region) -> Region:
+    """Return what was filled, but for hairs along the edges of `moved`."""
+    return shapely.difference(closed, shapely.buffer(moved, HAIR, join_style="mitre"))
 
-    Along straight sides hairs join corners to a frame, whose edges would not tell them: without.
-    """
-    edges = _new_edges(fills, moved)
-    framed = edges > 1
-    if not framed.any():
-        return fills, edges
-    parts = np.concatenate([thick_parts(frame) for frame in fills[framed]])
-    fills = np.concatenate([fills[~framed], parts])
-    return fills, np.concatenate([edges[~framed], _new_edges(parts, moved)])
+
+def _pieces(shape: Region) -> NDArray[np.object_]:
+    """Return the pieces of a region that are worth a look."""
+    pieces = shapely.get_parts(shape)
+    return pieces[shapely.area(pieces) > SLIVER]
 
 
 def _reach(rules: FrontRules) -> float:

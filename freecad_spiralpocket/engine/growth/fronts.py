@@ -52,6 +52,8 @@ FAR = 3.0
 #: Distance of samples along a front, and width of the smoothing under which its bends are taken,
 #: over R or over the width of a slim one.
 SPACING, SOFT = 0.12, 0.4
+#: What is left of a hole without its arms is as much smaller all around [mm]: within the hole.
+HAIR = 0.002
 #: Samples of a moved front that matter less than this are left out [mm].
 STRAIGHT = 0.0005
 #: Points of a front that matter less than this are left out [mm].
@@ -166,10 +168,8 @@ def without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> P
             kept.append(ring)
             continue
         # as `ribs_in` has shrunk it already
-        opened = grow_coarsely(grow_prepared(hole, -idle), idle)
-        holding = shapely.intersection(opened, hole)
-        parts = [p for p in polygons_of(holding) if p.area > SLIVER]
-        kept.extend(p.exterior for p in parts)
+        opened = grow_coarsely(grow_prepared(hole, -idle), idle - HAIR)
+        kept.extend(p.exterior for p in polygons_of(opened) if p.area > SLIVER)
     return oriented(Polygon(visited.exterior, kept))
 
 
