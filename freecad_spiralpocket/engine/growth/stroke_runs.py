@@ -81,12 +81,17 @@ def leanings(strokes: Sequence[Stroke], stepover: float) -> list[set[int]]:
         for k in range(0, len(stroke.points) - 1, CHUNK):
             chunks.append(LineString(stroke.points[k : k + CHUNK + 1]))
             owner.append(i)
-    lines = np.array(chunks, dtype=object)
-    pairs = shapely.STRtree(lines).query(lines, predicate="dwithin", distance=LEANS * stepover)
-    of = np.array(owner)[pairs]
-    levels = np.array([s.level for s in strokes])
+    lines, of, reach = np.array(chunks, dtype=object), np.array(owner), LEANS * stepover
+    low_x, low_y, high_x, high_y = shapely.bounds(lines).T
+    boxes = shapely.box(low_x - reach, low_y - reach, high_x + reach, high_y + reach)
+    upper, lower = shapely.STRtree(lines).query(boxes)
+    # most that is near is of the same lap
+    levels = np.array([s.level for s in strokes])[of]
+    upper, lower = np.stack([upper, lower])[:, levels[lower] < levels[upper]]
+    near = shapely.dwithin(lines[upper], lines[lower], reach)
     needs: list[set[int]] = [set() for _ in strokes]
-    for i, j in distinct_pairs(of[:, levels[of[1]] < levels[of[0]]].T).tolist():
+    pairs = np.column_stack([of[upper], of[lower]])[near]
+    for i, j in distinct_pairs(pairs).tolist():
         needs[i].add(j)
     return needs
 
