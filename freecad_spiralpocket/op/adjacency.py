@@ -10,12 +10,20 @@ L-shaped side face of a boss is higher than the floor around it, and lower.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import FreeCAD
+import Part
 
 from .seams import SAME_HEIGHT
 
+# found on a shape, not on its type, a method or property takes FreeCAD up to fifteen times as long
+_CODE = Part.Shape.hashCode
+_COUNT = Part.Shape.countSubElements
+_OUTER_WIRE = Part.Face.OuterWire.__get__
+_ORDERED_EDGES = Part.Wire.OrderedEdges.__get__
+_BOX = Part.Shape.BoundBox.__get__
 #: Smaller parts of a normal are taken as tangent.
 _TANGENT = 1e-3
 #: Step from an edge into the floor [mm].
@@ -35,23 +43,24 @@ class Adjacency:
 
     def __init__(self, solid: Any) -> None:
         self.faces: list[Any] = solid.Faces
-        self._numbers = {face.hashCode(): i for i, face in enumerate(self.faces)}
+        self._numbers = {code: i for i, code in enumerate(map(_CODE, self.faces))}
         self._at: dict[int, list[int]] = {}
         self._edges: list[list[int]] = []
         self._heights: dict[int, tuple[float, float]] = {}
         self._rises: dict[tuple[int | None, int], bool] = {}
+        self._rims: dict[tuple[int | None, int], list[tuple[bool, list[int]]]] = {}
         for i, face in enumerate(self.faces):
             # the edges of wires in their order come sooner than those of faces, an only wire sooner
             # as the outer one
-            wires = [face.OuterWire] if face.countSubElements("Wire") == 1 else face.Wires
-            edges = [edge.hashCode() for wire in wires for edge in wire.OrderedEdges]
+            wires = [_OUTER_WIRE(face)] if _COUNT(face, "Wire") == 1 else face.Wires
+            edges = [code for wire in wires for code in map(_CODE, _ORDERED_EDGES(wire))]
             self._edges.append(edges)
             for edge in edges:
                 self._at.setdefault(edge, []).append(i)
 
     def number(self, face: Any) -> int | None:
         """Return the number of a face, None if it is another solid's."""
-        return self._numbers.get(face.hashCode())
+        return self._numbers.get(_CODE(face))
 
     def same_as(self, face: Any) -> Any:
         """Return the face of the solid at the place of a level face, None if there is none."""
@@ -71,38 +80,52 @@ class Adjacency:
 
     def at(self, edge: Any) -> list[int]:
         """Return the faces at an edge."""
-        return self._at.get(edge.hashCode(), [])
+        return self._at.get(_CODE(edge), [])
 
     def around(self, face: int) -> set[int]:
         """Return the faces at the edges of a face, itself among them."""
         return {other for edge in self._edges[face] for other in self._at[edge]}
 
+    def along(self, face: Any, wire: Any) -> list[tuple[bool, list[int]]]:
+        """Return for each edge of a level face's wire whether a wall rises, and the faces there."""
+        own = self.number(face)
+        key = own, _CODE(wire)
+        if key not in self._rims:
+            edges = [(_CODE(edge), edge) for edge in _ORDERED_EDGES(wire)]
+            self._rims[key] = [
+                (self._wall_rises(own, face, code, edge), self._at.get(code, []))
+                for code, edge in edges
+            ]
+        return self._rims[key]
+
     def wall_rises(self, face: Any, edge: Any) -> bool:
         """Return whether material rises from an edge of a level face."""
-        key = self.number(face), edge.hashCode()
-        if key not in self._rises:
-            self._rises[key] = _wall_rises(self, key[0], face, edge)
-        return self._rises[key]
+        return self._wall_rises(self.number(face), face, _CODE(edge), edge)
 
-    def goes_on(self, face: Any, z: float, edge: Any) -> bool:
-        """Return whether another level face at Z `z` begins at an edge of a level face."""
+    def _wall_rises(self, own: int | None, face: Any, code: int, edge: Any) -> bool:
+        """Return that, given the number of the face and the code of the edge."""
+        if (own, code) not in self._rises:
+            other = next((n for n in self._at.get(code, []) if n != own), None)
+            rises = other is not None and _rises_along(self, own, face, other, edge)
+            self._rises[own, code] = rises
+        return self._rises[own, code]
+
+    def goes_on(self, face: Any, z: float, faces: Sequence[int]) -> bool:
+        """Return whether of the faces at an edge of a level one another is level at Z `z`."""
         own = self.number(face)
-        others = (self.heights(number) for number in self.at(edge) if number != own)
+        others = (self.heights(number) for number in faces if number != own)
         return any(max(abs(low - z), abs(high - z)) < SAME_HEIGHT for low, high in others)
 
     def heights(self, face: int) -> tuple[float, float]:
         """Return Z of the lowest and of the highest point of a face [mm]."""
         if face not in self._heights:
-            box = self.faces[face].BoundBox
+            box = _BOX(self.faces[face])
             self._heights[face] = box.ZMin, box.ZMax
         return self._heights[face]
 
 
-def _wall_rises(adjacency: Adjacency, own: int | None, face: Any, edge: Any) -> bool:
-    """Return whether material rises from `edge` of the level face `face` of number `own`."""
-    other = next((n for n in adjacency.at(edge) if n != own), None)
-    if other is None:
-        return False
+def _rises_along(adjacency: Adjacency, own: int | None, face: Any, other: int, edge: Any) -> bool:
+    """Return whether the face of number `other` rises from `edge` of the level one `own`."""
     z, (low, high) = adjacency.heights(own)[0], adjacency.heights(other)
     above, below = high > z + SAME_HEIGHT, low < z - SAME_HEIGHT
     if above != below:

@@ -67,7 +67,7 @@ def from_toolpath(toolpath: Toolpath, *, with_feeds: bool = True) -> list[Any]:
         if kind >= Kind.ARC_CW and _is_line(here, there, center):
             kind = Kind.LINE
         if kind >= Kind.ARC_CW:
-            words["I"], words["J"] = _rounded(np.subtract(center, here[:2])).tolist()
+            words["I"], words["J"] = (_number(c - h) for c, h in zip(center, here, strict=False))
         if with_feeds and kind != Kind.RAPID:
             words["F"] = feed
         commands.append(Path.Command(_NAMES[kind], words))
@@ -108,11 +108,18 @@ def _rounded(values: Floats) -> Floats:
     return np.where((rounded <= 0) & (rounded > -ZERO), 0.0, rounded)
 
 
+def _number(value: float) -> float:
+    """Return a number as `_rounded` does."""
+    rounded = round(value, DECIMALS)
+    return 0.0 if -ZERO < rounded <= 0 else rounded
+
+
 def _is_same_rapid(commands: list[Any], command: Any) -> bool:
     """Return whether the rapid `command` goes where the last of `commands` already is."""
+    if command.Name != "G0":
+        return False
     last = commands[-1].Parameters
-    words = command.Parameters
-    return command.Name == "G0" and all(last.get(k) == v for k, v in words.items())
+    return all(last.get(k) == v for k, v in command.Parameters.items())
 
 
 def _only_rises(before: Any, last: Any) -> bool:

@@ -14,6 +14,7 @@ clockwise. FreeCAD's own sense of rotation differs between its versions.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -147,7 +148,7 @@ def holes(floor: Floor, sag: float) -> list[Polygon]:
 
 def is_island(floor: Floor, wire: Any) -> bool:
     """Return whether a wall rises all along the inner wire `wire`; else it is a hole."""
-    return all(floor.adjacency.wall_rises(floor.face, e) for e in wire.Edges)
+    return all(rises for rises, _ in floor.adjacency.along(floor.face, wire))
 
 
 def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floats:
@@ -176,12 +177,12 @@ def _chain(edges: list[list[Piece]], where: str) -> list[Piece]:
     chain = list(edges[0])
     for pieces in edges[1:]:
         here = chain[-1].end
-        if np.linalg.norm(pieces[0].start - here) > np.linalg.norm(pieces[-1].end - here):
+        if math.dist(pieces[0].start, here) > math.dist(pieces[-1].end, here):
             pieces = turned(pieces)
-        if np.linalg.norm(pieces[0].start - here) > GAP:
+        if math.dist(pieces[0].start, here) > GAP:
             break
         chain += pieces
-    if len(chain) < sum(map(len, edges)) or np.linalg.norm(chain[-1].end - chain[0].start) > GAP:
+    if len(chain) < sum(map(len, edges)) or math.dist(chain[-1].end, chain[0].start) > GAP:
         x, y = chain[-1].end
         raise SelectionError(
             f"The outline of {where} is not closed at X{x:.2f} Y{y:.2f}.",
@@ -215,7 +216,7 @@ def pieces_of(edge: Any, sag: float, ripple: float = 0.0) -> list[Piece]:
     kind = edge.Curve.TypeId
     t0, t1 = edge.ParameterRange
     if kind == "Part::GeomLine":
-        return [_piece(edge, t0, t1)]
+        return [_straight(_xy(edge.valueAt(t0)), _xy(edge.valueAt(t1)))]
     if kind == "Part::GeomCircle":
         step = min(2 * np.arccos(max(0.0, 1 - sag / edge.Curve.Radius)), _LARGEST_TURN)
         ts = np.linspace(t0, t1, max(1, int(np.ceil((t1 - t0) / step))) + 1)
@@ -249,6 +250,12 @@ def _piece(edge: Any, a: float, b: float) -> Piece:
         heading=_xy(edge.tangentAt(a + inset)),
         arrival=_xy(edge.tangentAt(b - inset)),
     )
+
+
+def _straight(start: Floats, end: Floats) -> Piece:
+    way = end - start
+    heading = way / max(math.hypot(*way), 1e-12)
+    return Piece(start, end, heading, heading)
 
 
 def _xy(vector: Any) -> Floats:

@@ -67,7 +67,8 @@ class Pockets:
         self.plans: list[Plan] = []
         shapes = (getattr(model, "Shape", None) for model in parent_job(obj).Model.Group)
         self._shapes = [shape for shape in shapes if shape is not None and not shape.isNull()]
-        self._solids = [s for shape in self._shapes for s in solids_of(shape, self._known)]
+        solids = self._known.setdefault("adjacency", {})
+        self._solids = [s for shape in self._shapes for s in solids_of(shape, solids)]
         groups = seams.groups(selection.selected(obj.Base))
         self._selected = [floor for group in groups for floor in self._floors_of(*group)]
 

@@ -137,16 +137,16 @@ def floor(
             )
         solid, face = whole
         adjacency = Adjacency(solid)
-    edges = outer_wire(face).Edges
+    around = adjacency.along(face, outer_wire(face))
     z = face.BoundBox.ZMin
-    walled = sum(adjacency.wall_rises(face, e) for e in edges)
-    goes_on = any(adjacency.goes_on(face, z, e) for e in edges)
-    if not walled and not any(adjacency.wall_rises(face, e) for e in face.Edges):
+    walled = sum(rises for rises, _ in around)
+    goes_on = any(adjacency.goes_on(face, z, faces) for _, faces in around)
+    if not walled and not any(r for wire in face.Wires for r, _ in adjacency.along(face, wire)):
         raise SelectionError(
             f"{where} is not the floor of a pocket: no wall rises from it.",
             PICK_ALL if goes_on else _PICK_A_FLOOR,
         )
-    open_edges = len(edges) - walled
+    open_edges = len(around) - walled
     return Floor(model, ", ".join(names), face, solid, z, open_edges, goes_on, adjacency)
 
 
@@ -202,7 +202,9 @@ def check_stock(floor: Floor, obj: Any, stock: Any) -> None:
 
 def others(floor: Floor, solids: Iterable[Any]) -> list[Any]:
     """Return which of a job's solids are others than the floor's and may reach over it."""
-    own = floor.solid.BoundBox
+    # the box of a solid takes as long as those of all of its faces
+    solids = [solid for solid in solids if not solid.isSame(floor.solid)]
+    own = floor.solid.BoundBox if solids else None
     found = []
     for solid in solids:
         box = solid.BoundBox
@@ -214,9 +216,7 @@ def others(floor: Floor, solids: Iterable[Any]) -> list[Any]:
 
 
 def _are_same(one: Any, other: Any) -> bool:
-    """Return whether two solids are the same, maybe in different copies or without seams."""
-    if one.isSame(other):
-        return True
+    """Return whether two solids are copies of each other, maybe without seams."""
     a, b = one.BoundBox, other.BoundBox
     if not all(
         abs(getattr(a, name) - getattr(b, name)) < SAME_HEIGHT

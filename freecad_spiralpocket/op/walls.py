@@ -174,9 +174,9 @@ class Walls:
         front = [
             face
             for wire in wires
-            for edge in wire.Edges
-            if adjacency.wall_rises(floor.face, edge)
-            for face in adjacency.at(edge)
+            for rises, faces in adjacency.along(floor.face, wire)
+            if rises
+            for face in faces
         ]
         front += [number for post in posts if (number := adjacency.number(post)) is not None]
         while front:
