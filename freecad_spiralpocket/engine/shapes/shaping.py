@@ -130,9 +130,13 @@ def thick_parts(shape: Region) -> NDArray[np.object_]:
     if not isinstance(shape, Polygon | MultiPolygon):  # lines among it
         shape = MultiPolygon(polygons_of(shape))
     # points closer together than the hairline cost a hundred times as long
-    core = grow_coarsely(shapely.simplify(shape, HAIRLINE / 10), -HAIRLINE)
-    parts = shapely.get_parts(shapely.intersection(shape, grow_coarsely(core, 8 * HAIRLINE)))
+    parts = shapely.get_parts(_without_hairs(shapely.simplify(shape, HAIRLINE / 10)))
     return parts[shapely.area(parts) > SLIVER]
+
+
+def _without_hairs(shape: Region) -> Region:
+    mitred = partial(shapely.buffer, join_style="mitre")
+    return mitred(mitred(shape, -HAIRLINE), HAIRLINE)
 
 
 def without_whiskers(shape: Polygon) -> Polygon:
@@ -150,8 +154,7 @@ def without_whiskers(shape: Polygon) -> Polygon:
         if (
             back & (across < HAIRLINE * np.maximum(*lengths)) & (np.minimum(*lengths) > LONG)
         ).any():
-            mitred = partial(shapely.buffer, join_style="mitre")
-            return largest(mitred(mitred(shape, -HAIRLINE), HAIRLINE))
+            return largest(_without_hairs(shape))
     return shape
 
 
