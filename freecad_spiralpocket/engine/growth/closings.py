@@ -48,8 +48,8 @@ CUSP_TURN, CUSP = np.radians(25.0), 0.35
 ARM = 0.5
 #: A fill is small whose points and middle are no farther from its rim than this over the reach.
 SMALL = 0.1
-#: Beside a moved front so much of a fill is left out [mm], less than fronts are simplified by: edges
-#: that a closing does not round are nearly the same, and hairs along them would join fills.
+#: Beside a moved front so much of a fill is left out [mm], less than fronts are simplified by:
+#: edges that a closing does not round are nearly the same, and hairs along them would join fills.
 HAIR = 0.001
 #: Distance of the points of a fill by which its new edges are counted [mm].
 EDGE = 0.5
