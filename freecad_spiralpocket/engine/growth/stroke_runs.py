@@ -163,6 +163,13 @@ class _Spirals:
         laps = [closed_line(self.strokes[i].points) for i in chain]
         source, at, spare = self._beginnings(self.strokes[chain[0]], laps[0])
         count = self._reach(chain, laps, source, float(at[0]))
+        if count < len(chain) and self.needs[chain[count]] <= set(chain[:count]):
+            # from elsewhere the next lap may be near enough
+            own = len(at) - spare
+            counts = np.array([self._reach(chain, laps, source, float(a)) for a in at[:own]])
+            if counts.max() > count:
+                count = int(counts.max())
+                at = np.append(at[:own][counts == count], at[own:])
         starts, ahead = points_at(source, at), points_at(source, (at + 0.2) % source.length)
         way = self._way([self.strokes[i] for i in chain[:count]], laps[:count], source)
         return Run(
