@@ -21,7 +21,7 @@ BOSSES = box(0, 0, 110, 70).difference(
     shapely.union_all([Point(x, y).buffer(7) for x in (20, 43, 66, 89) for y in (20, 49)])
 )
 BAYS = shapes.rounded(
-    box(0, 0, 108, 44) - shapely.union_all([box(x, 14, x + 5, 45) for x in (15, 38, 66, 87)]), 4.0
+    box(0, 0, 108, 44) - shapely.union_all([box(x, 14, x + 5, 45) for x in (18, 40, 62, 86)]), 4.0
 )
 
 
