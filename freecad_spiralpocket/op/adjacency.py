@@ -47,7 +47,6 @@ class Adjacency:
         self._at: dict[int, list[int]] = {}
         self._edges: list[list[int]] = []
         self._heights: dict[int, tuple[float, float]] = {}
-        self._rises: dict[tuple[int | None, int], bool] = {}
         self._rims: dict[tuple[int | None, int], list[tuple[bool, list[int]]]] = {}
         for i, face in enumerate(self.faces):
             # the edges of wires in their order come sooner than those of faces, an only wire sooner
@@ -88,27 +87,17 @@ class Adjacency:
 
     def along(self, face: Any, wire: Any) -> list[tuple[bool, list[int]]]:
         """Return for each edge of a level face's wire whether a wall rises, and the faces there."""
-        own = self.number(face)
-        key = own, _CODE(wire)
+        key = self.number(face), _CODE(wire)
         if key not in self._rims:
-            edges = [(_CODE(edge), edge) for edge in _ORDERED_EDGES(wire)]
-            self._rims[key] = [
-                (self._wall_rises(own, face, code, edge), self._at.get(code, []))
-                for code, edge in edges
-            ]
+            edges = _ORDERED_EDGES(wire)
+            self._rims[key] = [(self.wall_rises(face, edge), self.at(edge)) for edge in edges]
         return self._rims[key]
 
     def wall_rises(self, face: Any, edge: Any) -> bool:
         """Return whether material rises from an edge of a level face."""
-        return self._wall_rises(self.number(face), face, _CODE(edge), edge)
-
-    def _wall_rises(self, own: int | None, face: Any, code: int, edge: Any) -> bool:
-        """Return that, given the number of the face and the code of the edge."""
-        if (own, code) not in self._rises:
-            other = next((n for n in self._at.get(code, []) if n != own), None)
-            rises = other is not None and _rises_along(self, own, face, other, edge)
-            self._rises[own, code] = rises
-        return self._rises[own, code]
+        own = self.number(face)
+        other = next((number for number in self.at(edge) if number != own), None)
+        return other is not None and _rises_along(self, own, face, other, edge)
 
     def goes_on(self, face: Any, z: float, faces: Sequence[int]) -> bool:
         """Return whether of the faces at an edge of a level one another is level at Z `z`."""

@@ -17,7 +17,6 @@ from typing import Any
 import numpy as np
 import Path
 
-from ..engine.model import Floats
 from ..engine.toolpath import Kind, Toolpath
 
 #: Decimals of coordinates in mm: dressups join the path to one wire, for which a helical arc must
@@ -50,9 +49,9 @@ def from_toolpath(toolpath: Toolpath, *, with_feeds: bool = True) -> list[Any]:
     with_feeds : bool
         Write F words [mm/s] on cutting moves; without them the machine stops and asks.
     """
-    start, points = _rounded(toolpath.start), _rounded(toolpath.points).tolist()
-    posted = np.round(points, POST_DECIMALS).tolist()
-    here, seen = start.tolist(), np.round(start, POST_DECIMALS).tolist()
+    here = [_rounded(c) for c in toolpath.start.tolist()]
+    points = [[_rounded(c) for c in point] for point in toolpath.points.tolist()]
+    posted, seen = (np.round(p, POST_DECIMALS).tolist() for p in (points, here))
     commands = [
         Path.Command("G0", {"Z": here[2]}),
         Path.Command("G0", dict(zip("XYZ", here, strict=True))),
@@ -67,7 +66,7 @@ def from_toolpath(toolpath: Toolpath, *, with_feeds: bool = True) -> list[Any]:
         if kind >= Kind.ARC_CW and _is_line(here, there, center):
             kind = Kind.LINE
         if kind >= Kind.ARC_CW:
-            words["I"], words["J"] = (_number(c - h) for c, h in zip(center, here, strict=False))
+            words["I"], words["J"] = (_rounded(c - h) for c, h in zip(center, here, strict=False))
         if with_feeds and kind != Kind.RAPID:
             words["F"] = feed
         commands.append(Path.Command(_NAMES[kind], words))
@@ -102,14 +101,11 @@ def without_last_lift(commands: list[Any]) -> list[Any]:
     return commands[:end]
 
 
-def _rounded(values: Floats) -> Floats:
-    """Return `values` rounded, without what is zero but for rounding: posts print it as -0.000."""
-    rounded = np.round(values, DECIMALS)
-    return np.where((rounded <= 0) & (rounded > -ZERO), 0.0, rounded)
+def _rounded(value: float) -> float:
+    """Return `value` rounded, zero where it is less only by rounding: posts print that as -0.000.
 
-
-def _number(value: float) -> float:
-    """Return a number as `_rounded` does."""
+    One by one: numpy takes as long for one number as a command.
+    """
     rounded = round(value, DECIMALS)
     return 0.0 if -ZERO < rounded <= 0 else rounded
 

@@ -204,7 +204,9 @@ def others(floor: Floor, solids: Iterable[Any]) -> list[Any]:
     """Return which of a job's solids are others than the floor's and may reach over it."""
     # the box of a solid takes as long as those of all of its faces
     solids = [solid for solid in solids if not solid.isSame(floor.solid)]
-    own = floor.solid.BoundBox if solids else None
+    if not solids:
+        return []
+    own = floor.solid.BoundBox
     found = []
     for solid in solids:
         box = solid.BoundBox

@@ -28,6 +28,7 @@ from ..shapes.shaping import (
     grow_prepared,
     holes_of,
     opening_of,
+    sizable_parts,
     welded,
 )
 from .front_rules import NEW, WIDEST, FrontRules
@@ -117,7 +118,7 @@ def _with_blunt_tips(moved: Region, visited: Polygon, rules: FrontRules) -> Regi
     """
     radius = TIP * rules.closing
     closed = closing_of(moved, radius)
-    fills = _pieces(_filled(closed, moved))
+    fills = sizable_parts(_filled(closed, moved))
     if len(fills) == 0:
         return moved
     reach = _gentle_reach(rules)
@@ -161,18 +162,12 @@ def _doubtful_fills(
     filled = _filled(closed, moved)
     if is_near and shapely.difference(filled, grow_prepared(visited, reach)).area < SLIVER:
         return np.empty(0, object)
-    return _pieces(filled)
+    return sizable_parts(filled)
 
 
 def _filled(closed: Region, moved: Region) -> Region:
     """Return what was filled, but for hairs along the edges of `moved`."""
     return shapely.difference(closed, shapely.buffer(moved, HAIR, join_style="mitre"))
-
-
-def _pieces(shape: Region) -> NDArray[np.object_]:
-    """Return the pieces of a region that are worth a look."""
-    pieces = shapely.get_parts(shape)
-    return pieces[shapely.area(pieces) > SLIVER]
 
 
 def _reach(rules: FrontRules) -> float:

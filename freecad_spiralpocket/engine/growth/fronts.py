@@ -36,6 +36,7 @@ from ..shapes.shaping import (
     opening_of,
     oriented,
     simplified_region,
+    sizable_parts,
     welded,
     without_whiskers,
 )
@@ -53,7 +54,7 @@ FAR = 3.0
 #: over R or over the width of a slim one.
 SPACING, SOFT = 0.12, 0.4
 #: What is left of a hole without its arms is as much smaller all around [mm]: within the hole.
-HAIR = 0.002
+INSIDE = 0.002
 #: Samples of a moved front that matter less than this are left out [mm].
 STRAIGHT = 0.0005
 #: Points of a front that matter less than this are left out [mm].
@@ -83,8 +84,7 @@ def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
     points = points[~shapely.contains_xy(kept, points)]
     if len(points) == 0 or are_near_walls(omega, points, 0.4 * fillet).all():
         return opened
-    taken = shapely.get_parts(shapely.difference(shape, opened))
-    taken = taken[shapely.area(taken) > SLIVER]
+    taken = sizable_parts(shapely.difference(shape, opened))
     if len(taken):
         free = taken[~shapely.dwithin(omega.boundary, taken, 0.02)]
         if len(free):
@@ -168,7 +168,7 @@ def without_idle_holes(visited: Polygon, omega: Polygon, rules: FrontRules) -> P
             kept.append(ring)
             continue
         # as `ribs_in` has shrunk it already
-        opened = grow_coarsely(grow_prepared(hole, -idle), idle - HAIR)
+        opened = grow_coarsely(grow_prepared(hole, -idle), idle - INSIDE)
         kept.extend(p.exterior for p in polygons_of(opened) if p.area > SLIVER)
     return oriented(Polygon(visited.exterior, kept))
 

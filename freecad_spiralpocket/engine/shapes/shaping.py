@@ -130,7 +130,12 @@ def thick_parts(shape: Region) -> NDArray[np.object_]:
     if not isinstance(shape, Polygon | MultiPolygon):  # lines among it
         shape = MultiPolygon(polygons_of(shape))
     # points closer together than the hairline cost a hundred times as long
-    parts = shapely.get_parts(_without_hairs(shapely.simplify(shape, HAIRLINE / 10)))
+    return sizable_parts(_without_hairs(shapely.simplify(shape, HAIRLINE / 10)))
+
+
+def sizable_parts(shape: Region) -> NDArray[np.object_]:
+    """Return the pieces of a region that are worth a stroke, or a look."""
+    parts = shapely.get_parts(shape)
     return parts[shapely.area(parts) > SLIVER]
 
 
