@@ -121,6 +121,15 @@ def test_skin_within_the_tolerance_does_not_count():
     assert uncut_area(pocket, path, skin=0.06) == 0.0
 
 
+def test_film_within_the_tolerance_between_two_passes_does_not_count():
+    # on the wall the same would, for there a skin is off already
+    half = R + 0.02
+    pocket = box(-R, -R - half, 40 + R, R + half).buffer(-R).buffer(R, quad_segs=64)
+    path = lines(started(0, -half), (40, -half), (40, half), (0, half), (0, -half)).build()
+    assert uncut_area(pocket, path, skin=0.05) == 0.0
+    assert uncut_area(pocket, path, skin=0.03) == pytest.approx(0.04 * (40 - 2 * R), rel=0.1)
+
+
 def test_arcs_clear_what_they_sweep():
     ring = Point(0, 0).buffer(15.0, quad_segs=256).difference(Point(0, 0).buffer(5, quad_segs=256))
     builder = started(12, 0)

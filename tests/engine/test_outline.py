@@ -193,3 +193,13 @@ def test_a_whisker_along_a_wall_is_removed():
     assert cleared.bounds == pytest.approx((0, 0, 9, 5), abs=1e-6)
     assert cleared.area == pytest.approx(45)
     assert without_whiskers(cleared) is cleared
+
+
+@pytest.mark.parametrize("post", [0.004, 0.02, 0.05])
+def test_thin_post_between_two_sides_of_the_slot_is_cut(post):
+    half, length = R * 2 + post / 2, 24.0
+    arms = [box(-length, -half, length, half), box(-half, -length, half, length)]
+    report = plan(request(rotate(arms[0] | arms[1], 14), strategy=Strategy.AUTOMATIC)).report
+    assert report.uncut_area < 0.01
+    assert report.rapid_hit == 0 and report.link_hit == 0
+    assert not any("instead of" in notice.message for notice in report.notices)

@@ -29,8 +29,9 @@ from ..shapes.shaping import CRACK, Region, are_within, grow_coarsely, largest, 
 #: depth. What is left of no more than `CRUMB` is nothing [mm].
 ROUNDINGS = (0.06, 0.02, 0.005, 0.002)
 CRUMB, ACUTE = 0.005, 0.5
-#: Width of the ground that the slot opens for the cutter's center, over R.
-WIDTH = 0.01
+#: Width of the ground that the slot opens for the cutter's center [mm]: where its two sides just
+#: meet, as in a neck of twice the cutter's width, no film is left for a lap, and a thicker one is.
+WIDTH = 0.006
 #: How far the ground outside of the wall reaches, over R: farther than any fillet or closing.
 MARGIN = 4.0
 
@@ -74,7 +75,7 @@ def outline_of(region: Polygon, radius: float) -> Outline | None:
     within = shapely.intersection(parts[0], region)
     if not isinstance(within, Polygon) or len(within.interiors) != len(region.interiors):
         return None
-    plugs = grow_coarsely(parts[0], -WIDTH * radius)
+    plugs = grow_coarsely(parts[0], -WIDTH)
     opened = shapely.difference(filled, plugs)
     if any(opened.intersects(Polygon(island)) for island in region.interiors):
         return None  # between an island and the wall there is no room for it

@@ -118,7 +118,7 @@ def _with_stairs(start: Start, region: Polygon, request: PocketRequest) -> Start
         if found is None:
             break
         stairs, saved = found
-        plug = grow_coarsely(Polygon(stairs.inner), -WIDTH * radius)
+        plug = grow_coarsely(Polygon(stairs.inner), -WIDTH)
         around = Polygon(start.visited.exterior)
         visited = oriented(largest(shapely.difference(around, plug)))
         # as fronts are: full of short chords it takes GEOS up to 0.1 s to grow

@@ -7,8 +7,8 @@ every piece of motion at the floor or deeper sweeps. Most of it is settled by a 
 certainly too small picture of the swept ground; only what that leaves, a thin strip along
 the walls and what truly stands, is compared with exact shapes of the pieces nearby.
 
-A path that keeps to its tolerance may leave a skin of that thickness on the wall;
-this is not counted. What is cut at the lowest floor is cut above it too, so the
+A path that keeps to its tolerance may leave a skin of that thickness on the wall, or a film
+between two sides of it; these are not counted. What is cut at the lowest floor is cut above it too, so the
 lowest floor is the least favorable one.
 """
 
@@ -63,7 +63,7 @@ def uncut_floor(
     radius : float
         Cutter radius [mm].
     skin : float
-        Thickness on the wall that does not count [mm], 0 or more.
+        Thickness on the wall, or of a film anywhere, that does not count [mm], 0 or more.
 
     Returns
     -------
@@ -88,7 +88,10 @@ def uncut_floor(
     drilled = deep.select(deep.lengths == 0).ends
     tips = shapely.points(np.concatenate([arcs.starts, arcs.ends, drilled]))
     rounds = shapely.buffer(np.concatenate([near, tips]), radius, quad_segs=SWEPT_QUADRANT)
-    return MultiPolygon(list(_without(doubtful, rounds)))
+    left = _without(doubtful, rounds)
+    is_film = shapely.is_empty(shapely.buffer(left, -skin / 2))
+    is_film &= ~shapely.dwithin(left, wanted.boundary, EXACT * radius)
+    return MultiPolygon(list(left[~is_film]))
 
 
 def _without(areas: NDArray[np.object_], taken: NDArray[np.object_]) -> NDArray[np.object_]:
