@@ -18,7 +18,8 @@ from shapely import Point, Polygon
 from .errors import CutterDoesNotFitError
 from .levels import Level
 from .model import Notice
-from .shapes.region import center_regions, unreachable_notices
+from .necks import unreachable_notices
+from .shapes.region import center_regions
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -23,6 +23,7 @@ from ..engine.shapes.points import signed_area
 from ..engine.shapes.region import polygons_of
 from . import geometry
 from .selection import SAME_HEIGHT
+from .triangles import SAG, is_patch, looking_down
 
 #: Sections are taken this far above the height they are for [mm].
 ABOVE = 1e-3
@@ -34,10 +35,6 @@ RIPPLE = 1e-4
 LEVEL = 1e-5
 #: Normals are looked at in so many places each way.
 PLACES = 9
-#: Overhanging faces become triangles this far off at most [mm].
-SHADOW_SAG = 5e-3
-#: A part of a triangle's normal up to this may be none of its face's.
-HARDLY_UP = 0.1
 #: Faces that become few triangles, since they bend one way at most.
 BEND_ONCE = (Part.Plane, Part.Cylinder, Part.Cone, Part.SurfaceOfExtrusion)
 #: All others are cut off so far around the area for which they are asked [mm].
@@ -135,8 +132,13 @@ def overhang(face: Any, area: shapely.Geometry, z: float) -> np.ndarray:
     none = np.empty((0, 3, 3))
     if not looks_down(face):
         return none
-    parts = [face] if isinstance(face.Surface, BEND_ONCE) else _clipped(face, area.bounds, z)
-    return np.concatenate([none, *map(triangles_of, filter(looks_down, parts))])
+    whole = isinstance(face.Surface, BEND_ONCE) or is_patch(face)
+    parts = [face] if whole else _clipped(face, area.bounds, z)
+    triangles = np.concatenate([none, *map(looking_down, filter(looks_down, parts))])
+    x0, y0, x1, y1 = area.bounds
+    low, high = triangles.min(axis=1), triangles.max(axis=1)
+    beside = (high[:, 0] < x0) | (low[:, 0] > x1) | (high[:, 1] < y0) | (low[:, 1] > y1)
+    return triangles[~beside & (high[:, 2] > z)]
 
 
 def standing(solid: Any, area: shapely.Geometry, z: float, sag: float) -> shapely.Geometry:
@@ -148,27 +150,6 @@ def standing(solid: Any, area: shapely.Geometry, z: float, sag: float) -> shapel
     return shapely.union(here, shadow((overhang(face, area, z) for face in faces), z))
 
 
-def triangles_of(face: Any) -> np.ndarray:
-    """Return what of a face looks down, or hardly up, as triangles, shape (n, 3, 3) [mm].
-
-    It takes long where a large face bends both ways.
-    """
-    corners, index = face.tessellate(SHADOW_SAG)
-    points = np.array([tuple(c) for c in corners]).reshape(-1, 3)
-    triangles = points[np.array(index, int).reshape(-1, 3)]
-    a, b, c = np.moveaxis(triangles, 1, 0)
-    normals = np.cross(b - a, c - a)
-    sizes = np.linalg.norm(normals, axis=1)
-    if not sizes.any():
-        return triangles
-    # all triangles of a face run the same way round, whichever that is
-    largest = int(np.argmax(sizes))
-    middle = FreeCAD.Vector(*triangles[largest].mean(axis=0))
-    outward = np.array(tuple(face.normalAt(*face.Surface.parameter(middle))))
-    upward = normals[:, 2] * np.sign(normals[largest] @ outward)
-    return triangles[upward <= HARDLY_UP * sizes]
-
-
 def shadow(faces: Iterable[np.ndarray], z: float) -> shapely.Geometry:
     """Return the ground under faces, given as triangles, as far as they are above `z`."""
     # what ends at that height, as the side of a part below an open slot, hangs over nothing
@@ -176,7 +157,7 @@ def shadow(faces: Iterable[np.ndarray], z: float) -> shapely.Geometry:
     shadows = [shapely.convex_hull(shapely.multipoints(c)) for c in corners if len(c)]
     ground = shapely.union_all([shapely.union_all(part) for part in shadows])
     # a hair, so that what is vertical has an area and is no sliver
-    return ground.buffer(SHADOW_SAG, quad_segs=2)
+    return ground.buffer(SAG, quad_segs=2)
 
 
 def _clipped(face: Any, bounds: tuple[float, float, float, float], z: float) -> list[Any]:

@@ -11,12 +11,14 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 from shapely import GeometryCollection, LineString, MultiPolygon, Point, box
+from shapely.affinity import rotate
 from shapes import DUMBBELL, FEEDS, HEIGHTS
 
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, named
 from freecad_spiralpocket.engine.floor import Descent, Helix, Slot
 from freecad_spiralpocket.engine.levels import floors
 from freecad_spiralpocket.engine.model import Entry, Heights
+from freecad_spiralpocket.engine.necks import unreachable_notices
 from freecad_spiralpocket.engine.opening.entry import (
     cut_entry,
     entry_start,
@@ -27,7 +29,6 @@ from freecad_spiralpocket.engine.shapes.region import (
     center_regions,
     grow,
     polygons_of,
-    unreachable_notices,
 )
 from freecad_spiralpocket.engine.toolpath import Kind, ToolpathBuilder
 
@@ -79,6 +80,35 @@ def test_many_necks_are_told_together(arms, notices):
         assert f"{arms} necks" in text
         assert 0 <= told[0].place[0] <= widths[0]  # the widest
         assert float(text.split("below ")[1].split()[0]) <= min(widths) + 0.1
+
+
+@pytest.mark.parametrize(
+    ("width", "length"), [(5.4, 3.6), (5.94, 4.8), (5.94, 5.7), (5.94, 7.2), (5.4, 6), (5.94, 12)]
+)
+def test_short_neck_is_told_once_with_its_width(width, length):
+    half = length / 2
+    rooms = [box(-half - 18, -9, -half, 9), box(half, -9, half + 18, 9)]
+    neck = box(-half - 1, -width / 2, half + 1, width / 2)
+    pocket = rotate(shapely.union_all([*rooms, neck]), 20, origin=(0, 0))
+    (notice,) = unreachable_notices(pocket, center_regions(pocket, 3.0, 0.0), 3.0, 0.0)
+    told = float(str(notice).split("fit the ")[1].split()[0])
+    assert told == pytest.approx(width, abs=0.01)
+    assert math.hypot(*notice.place) < 0.1
+    # a smaller cutter goes through
+    assert unreachable_notices(pocket, center_regions(pocket, told / 2.01, 0), told / 2.01, 0) == ()
+
+
+def test_gap_round_an_island_is_told_with_its_width():
+    pocket = Point(0, 0).buffer(30, quad_segs=64).difference(Point(2.3, 0).buffer(22, quad_segs=64))
+    (notice,) = unreachable_notices(pocket, center_regions(pocket, 3.0, 0.0), 3.0, 0.0)
+    assert float(str(notice).split("fit the ")[1].split()[0]) == pytest.approx(5.7, abs=0.01)
+    assert notice.place[0] > 25
+
+
+def test_dead_end_is_told_with_its_width():
+    pocket = box(0, 0, 40, 20).union(box(10, 19, 15.99, 29))
+    (notice,) = unreachable_notices(pocket, center_regions(pocket, 3.0, 0.0), 3.0, 0.0)
+    assert "5.99 mm neck" in str(notice)
 
 
 def test_corners_are_nobodys_news():

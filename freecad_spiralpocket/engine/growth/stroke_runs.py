@@ -9,11 +9,12 @@ from functools import cache, partial
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from ..model import Floats
 from ..numerics.distinct import distinct_pairs
-from ..shapes.polyline import closed_line, points_at
+from ..shapes.polyline import closed_line, located, points_at
 from ..shapes.shaping import Region, grow_coarsely
 from .spiral import (
     anywhere,
@@ -33,14 +34,11 @@ from .strokes import Stroke
 LEANS = 1.25
 #: Strokes are compared in pieces of so many points.
 CHUNK = 24
-#: A spiral goes on to the next lap where that is no farther than this over the step-over.
-WIDEST = 1.3
-#: And no farther than this over R, for else a cusp may stay between two turns.
-WITHOUT_CUSPS = 1.6
+#: A spiral goes on to the next lap where that is no farther than this over the step-over outwards,
+#: and than this over R about a plug, where laps may be far apart: no cusp stays between two turns.
+WIDEST, WIDEST_INWARDS = 1.3, 1.72
 #: So many of a spiral's last laps are looked at for what they leave: in its zone each lags behind.
 LAST = 3
-#: The same about a plug: where it is farther there the plug's corners are rounded.
-WIDEST_INWARDS = 2.2
 #: A first lap outwards may be farther from the place where the entry ends, by this factor.
 LEFT_BEHIND = 1.5
 
@@ -272,6 +270,63 @@ def _taken_by(laps: Sequence[Stroke], fronts: Sequence[Polygon], radius: float) 
     return stock
 
 
+def first_laps(
+    strokes: Sequence[Stroke], ring: LineString, radius: float, stepover: float
+) -> list[LineString]:
+    """Return the closed laps about a plug that begin where the entry ends, each in the next.
+
+    None where there are none; the parameters are those of `begins_on`.
+    """
+    for chain in chains_of(strokes):
+        first = strokes[chain[0]]
+        if not first.exterior and begins_on(ring, first, radius, stepover):
+            return [closed_line(strokes[i].points) for i in chain]
+    return []
+
+
+def followed(
+    source: LineString, places: Floats, laps: Sequence[LineString], radius: float, stepover: float
+) -> NDArray[np.intp]:
+    """Return how many laps about a plug a spiral takes that leaves a line at each of some places.
+
+    Nearly: places are told apart by half of R.
+
+    Parameters
+    ----------
+    source : LineString
+        Closed.
+    places : ndarray of shape (n,)
+        Along it [mm].
+    laps : sequence of LineString
+        Closed, each within the one before.
+    radius, stepover : float
+        [mm]
+
+    Returns
+    -------
+    ndarray of shape (n,)
+    """
+    size, widest = zone_size(radius, stepover), _widest(False, radius, stepover)
+    counts, goes_on = np.zeros(len(places), dtype=np.intp), np.ones(len(places), dtype=bool)
+    here, at = source, places
+    for number, lap in enumerate(laps):
+        count = max(12, int(here.length / (size / 2)))
+        grid = np.linspace(0.0, here.length, count, endpoint=False)
+        length = zone_length(here, lap, size)
+        good = np.flatnonzero(gaps(here, lap, grid, length, 1.01 * widest) <= widest)
+        if len(good) == 0:
+            break
+        nearest_ = np.round(at / here.length * count).astype(np.intp) % count
+        following = np.append(good, good[0] + count)[np.searchsorted(good, nearest_)]
+        further = (following - nearest_) * here.length / count
+        # the first lap is left where the entry ends
+        goes_on &= further < (length if number else here.length / count / 2)
+        counts += goes_on
+        at = located(lap, points_at(here, (at + further) % here.length))
+        here = lap
+    return counts
+
+
 def begins_on(ring: LineString, stroke: Stroke, radius: float, stepover: float) -> bool:
     """Return whether a lap of the first level may be begun where the entry ends.
 
@@ -295,9 +350,7 @@ def begins_on(ring: LineString, stroke: Stroke, radius: float, stepover: float) 
 
 
 def _widest(exterior: bool, radius: float, stepover: float) -> float:
-    if exterior:
-        return WIDEST * stepover
-    return min(WIDEST_INWARDS * stepover, WITHOUT_CUSPS * radius)
+    return WIDEST * stepover if exterior else WIDEST_INWARDS * radius
 
 
 def unit(v: Floats) -> Floats:

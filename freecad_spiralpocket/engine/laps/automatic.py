@@ -45,6 +45,7 @@ from ..opening.leftovers import is_left, large_pieces, without
 from ..opening.mouths import cusps_at, mouths_of
 from ..opening.open_sides import needed, starts_of, strokes_in_stock, strokes_within
 from ..opening.promising import FEW, promising
+from ..opening.slot_ends import well_ended
 from ..opening.start import Start
 from ..opening.starts import candidates
 from ..shapes.shaping import grow_coarsely, largest, oriented, thick_parts
@@ -158,6 +159,7 @@ def _fastest(
         at_least = entry + least_seconds(strokes, motion)
         if not best.is_beaten_by(toll * at_least, _open_strokes(strokes)):
             continue
+        start = well_ended(start, strokes, request)
         laid = _laid(start, fronts, strokes, within, request, motion, done)
         seconds = entry + seconds_of(laid.all_steps, request, motion)
         links = sum(step.link is None or len(step.link) > 0 for step in laid.all_steps)

@@ -12,6 +12,9 @@ from ..shapes.points import distances_along
 from ..shapes.polyline import points_at
 from ..shapes.shaping import closing_of
 
+#: A wall that bends less than this is as good as straight to begin a spiral at [rad].
+STRAIGHT = 0.4
+
 
 def straightest(ring: LineString, window: float, radius: float) -> float:
     """Return where along a ring the next `window` [mm] bends least, not in a notch.

@@ -24,7 +24,7 @@ from ..shapes.points import distances_along
 from ..shapes.polyline import closed_line, located, points_at
 from ..shapes.shaping import grow_coarsely, largest, oriented, simplified_region
 from ..shapes.skeleton import Skeleton
-from .leaving import bends
+from .leaving import STRAIGHT, bends
 from .outline import WIDTH, outline_of
 from .sharp_corners import run_into_corners
 from .slot import beside, slot_lead
@@ -33,8 +33,6 @@ from .start import Start, slot_bite
 
 #: A spiral begins beside a middle of the plug: where there is this share of the most room.
 DEEP = 0.8
-#: A wall that bends less than this is as good as straight to begin a spiral at [rad].
-STRAIGHT = 0.4
 #: So far beside corners all loops of a slot run along the wall, over R; the first that leaves
 #: nothing on the floor.
 BARE = (0.0, 0.25, 0.6)

@@ -8,8 +8,8 @@ certainly too small picture of the swept ground; only what that leaves, a thin s
 the walls and what truly stands, is compared with exact shapes of the pieces nearby.
 
 A path that keeps to its tolerance may leave a skin of that thickness on the wall, or a film
-between two sides of it; these are not counted. What is cut at the lowest floor is cut above it too, so the
-lowest floor is the least favorable one.
+between two sides of it; these are not counted. What is cut at the lowest floor is cut above
+it too, so the lowest floor is the least favorable one.
 """
 
 from __future__ import annotations

@@ -2,9 +2,7 @@
 """From the pocket's outline to the regions where the cutter's center may be.
 
 The cutter-center region is the pocket shrunk by the cutter radius and the
-stock to leave. Necks that the cutter cannot pass break it into several; what
-no center position reaches is told to the machinist with its place. Corners
-that merely keep the cutter's radius are nobody's news.
+stock to leave. Necks that the cutter cannot pass break it into several (see necks.py).
 """
 
 from __future__ import annotations
@@ -16,7 +14,6 @@ from shapely import MultiPolygon, Polygon
 from shapely.geometry.polygon import orient
 
 from ..errors import CutterDoesNotFitError
-from ..model import Notice
 
 #: Largest distance between a buffer's polygon and its true arcs [mm]; around cutter-center regions
 #: of small cutters over R.
@@ -25,11 +22,6 @@ BUFFER_SAG, FINE_SAG = 0.001, 1 / 3000
 HAIR = 0.003
 #: Chords of circles that are larger than any part are no shorter [rad]: rounding would make them 0.
 LEAST_STEP = 1e-4
-#: A left-over piece that takes a disc of this share of the cutter's radius is told about; the
-#: piece in a square corner takes 0.17.
-TOLD_SHARE = 0.3
-#: More parts than this that the cutter cannot enter are told together.
-TOLD_ONE_BY_ONE = 3
 
 
 def quad_segments(radius: float, sag: float = BUFFER_SAG) -> int:
@@ -123,48 +115,3 @@ def without_hairs(region: Polygon, radius: float) -> list[Polygon]:
     if not hairs:
         return [region]
     return polygons_of(shapely.difference(region, grow(MultiPolygon(hairs), 0.1 * half)))
-
-
-def unreachable_notices(
-    pocket: Polygon, regions: list[Polygon], cutter_radius: float, stock: float
-) -> tuple[Notice, ...]:
-    """Return a notice for each part of the pocket that the cutter cannot enter, one for many.
-
-    Parameters
-    ----------
-    pocket : shapely.Polygon
-    regions : list of shapely.Polygon
-        Its cutter-center regions.
-    cutter_radius, stock : float
-        R, and what is left on the walls [mm].
-    """
-    target = grow(pocket, -stock) if stock else pocket
-    reached = grow(MultiPolygon(regions), cutter_radius)
-    left = []
-    least = math.pi * (TOLD_SHARE * cutter_radius) ** 2
-    for piece in polygons_of(shapely.difference(target, reached)):
-        if piece.area < least:  # no such disc fits
-            continue
-        place, radius = widest_disc(piece)
-        if radius > TOLD_SHARE * cutter_radius:
-            left.append((radius, place, piece.area))
-    if len(left) > TOLD_ONE_BY_ONE:
-        radius, place, _ = max(left)
-        return (
-            Notice(
-                f"The {2 * cutter_radius:g} mm cutter does not fit {len(left)} necks, up to "
-                f"{2 * radius:.3g} mm wide, the widest at {{at}}; these parts "
-                f"({sum(area for *_, area in left):.0f} mm2) stay uncut.",
-                f"A cutter below {2 * min(left)[0]:.3g} mm reaches all of them.",
-                place,
-            ),
-        )
-    return tuple(
-        Notice(
-            f"The {2 * cutter_radius:g} mm cutter does not fit the {2 * radius:.3g} mm "
-            f"neck at {{at}}; that part ({area:.0f} mm2) stays uncut.",
-            f"A cutter below {2 * radius:.3g} mm reaches it.",
-            place,
-        )
-        for radius, place, area in left
-    )

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parts of a pocket that the cutter cannot enter, with their places and real widths.
+
+What no center position reaches are corners, dead ends, and what stands in necks: a web right
+across it, or stubs on its walls where the cutter reaches in from both sides. Corners that merely
+keep the cutter's radius are nobody's news. A piece in a neck is bounded by arcs about two places
+of the center, that in a corner or a dead end by the arc about one.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from shapely import MultiPolygon, Polygon
+
+from .model import Floats, Notice
+from .shapes.region import grow, polygons_of, widest_disc
+from .shapes.shaping import CRACK, clipped
+
+#: A piece at one place that takes a disc of this share of R is told; that in a square corner takes
+#: 0.17.
+TOLD_SHARE = 0.3
+#: A piece is in a neck if the places that it is bounded from are farther apart than the first, and
+#: told if it is larger than the second, over R and its square.
+APART, LARGE = 0.3, 0.1
+#: What bounds a piece is as far from the center's place as R but for this, over R.
+NEAR = 0.01
+#: Halvings in the search for a neck's width.
+HALVINGS = 12
+#: More parts than this that the cutter cannot enter are told together.
+TOLD_ONE_BY_ONE = 3
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """A part that stays: width of the way in, a place, and area [mm, mm2]."""
+
+    width: float
+    place: tuple[float, float]
+    area: float
+
+
+def unreachable_notices(
+    pocket: Polygon, regions: list[Polygon], cutter_radius: float, stock: float
+) -> tuple[Notice, ...]:
+    """Return a notice for each part of the pocket that the cutter cannot enter, one for many.
+
+    Parameters
+    ----------
+    pocket : shapely.Polygon
+    regions : list of shapely.Polygon
+        Its cutter-center regions.
+    cutter_radius, stock : float
+        R, and what is left on the walls [mm].
+    """
+    target = grow(pocket, -stock) if stock else pocket
+    centers = MultiPolygon(regions)
+    # films along walls would join corners
+    reached = grow(centers, (1 + NEAR / 4) * cutter_radius)
+    rest = polygons_of(shapely.difference(target, reached))
+    rest = [piece for piece in rest if piece.area > LARGE * cutter_radius**2]
+    found = [_part(piece, target, centers, cutter_radius) for piece in rest]
+    parts = _joined([part for part in found if part is not None], cutter_radius)
+    cutter = f"The {2 * cutter_radius:g} mm cutter"
+    if len(parts) > TOLD_ONE_BY_ONE:
+        widest = max(parts, key=lambda part: (part.width, part.place))
+        return (
+            Notice(
+                f"{cutter} does not fit {len(parts)} necks, up to {_mm(widest.width)} mm wide, the "
+                f"widest at {{at}}; these parts ({_area(sum(part.area for part in parts))} mm2) "
+                "stay uncut.",
+                f"A cutter below {_mm(min(part.width for part in parts))} mm reaches all of them.",
+                widest.place,
+            ),
+        )
+    return tuple(
+        Notice(
+            f"{cutter} does not fit the {_mm(part.width)} mm neck at {{at}}; that part "
+            f"({_area(part.area)} mm2) stays uncut.",
+            f"A cutter below {_mm(part.width)} mm reaches it.",
+            part.place,
+        )
+        for part in parts
+    )
+
+
+def _part(piece: Polygon, target: Polygon, centers: MultiPolygon, radius: float) -> _Part | None:
+    """Return a piece as what is told of it; None if it is a corner, or a crumb."""
+    rim = shapely.get_coordinates(shapely.simplify(piece, NEAR / 4 * radius))[:-1]
+    bounded = _bounded_from(rim, centers, radius)
+    if len(bounded) and np.hypot(*np.ptp(bounded, axis=0)) > APART * radius:
+        ends = _farthest(bounded)
+        width = 2 * _narrowest(piece, bounded, ends, target, radius)
+        return _Part(width, _middle_of(piece, ends, target), piece.area)
+    if piece.area < math.pi * (TOLD_SHARE * radius) ** 2:  # no such disc fits
+        return None
+    place, widest = widest_disc(piece)
+    if widest <= TOLD_SHARE * radius:
+        return None
+    room = shapely.distance(target.boundary, shapely.points([place, *rim])).max()
+    return _Part(2 * min(float(room), radius), place, piece.area)
+
+
+def _bounded_from(rim: Floats, centers: MultiPolygon, radius: float) -> Floats:
+    """Return the places of the center that clear up to points of a piece's rim, shape (n, 2)."""
+    lines = shapely.shortest_line(shapely.points(rim), centers)
+    ends = shapely.get_coordinates(lines).reshape(-1, 2, 2)
+    far = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
+    return ends[np.abs(far - radius) < NEAR * radius, 1]
+
+
+def _farthest(places: Floats) -> Floats:
+    """Return the two of some places that are farthest apart, shape (2, 2)."""
+    apart = np.hypot(*(places[:, None] - places).T)
+    i, j = np.unravel_index(int(np.argmax(apart)), apart.shape)
+    return places[[min(i, j), max(i, j)]]
+
+
+def _narrowest(
+    piece: Polygon, bounded: Floats, ends: Floats, target: Polygon, radius: float
+) -> float:
+    """Return how large a cutter's radius is at most that goes from end to end through a piece."""
+    discs = shapely.buffer(shapely.multipoints(bounded), (1 + NEAR) * radius)
+    passage = shapely.union(discs, shapely.buffer(piece, NEAR * radius))
+    around = clipped(target, shapely.buffer(passage, 2 * radius).bounds)
+    low, high = 0.0, radius
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        free = shapely.intersection(passage, grow(around, -middle))
+        goes = any(shapely.dwithin(p, shapely.points(ends), CRACK).all() for p in polygons_of(free))
+        low, high = (middle, high) if goes else (low, middle)
+    return (low + high) / 2
+
+
+def _middle_of(piece: Polygon, ends: Floats, target: Polygon) -> tuple[float, float]:
+    """Return the middle between two ends, or of a piece if the way is not straight."""
+    middle = shapely.points(ends.mean(axis=0))
+    if not target.contains(middle):
+        middle = piece.representative_point()
+    return float(middle.x), float(middle.y)
+
+
+def _joined(parts: Sequence[_Part], radius: float) -> list[_Part]:
+    """Return parts without telling of one neck for each of its walls."""
+    joined: list[_Part] = []
+    for part in parts:
+        for i, other in enumerate(joined):
+            if math.dist(part.place, other.place) < APART * radius:
+                joined[i] = _Part(min(part.width, other.width), other.place, part.area + other.area)
+                break
+        else:
+            joined.append(part)
+    return joined
+
+
+def _mm(width: float) -> str:
+    return f"{round(width, 2):g}"
+
+
+def _area(area: float) -> str:
+    return f"{area:.0f}" if area >= 1 else f"{area:.1g}"
