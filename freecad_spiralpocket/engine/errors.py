@@ -95,6 +95,11 @@ class CancelledError(SpiralPocketError):
     """The user pressed Stop."""
 
 
+def told_area(area: float) -> str:
+    """Return an area [mm2] as it is told: whole, a small one with two digits."""
+    return f"{area:.0f}" if area >= 10 else f"{area:.2g}"
+
+
 def named(failures: list[tuple[str, SpiralPocketError]], pockets: int) -> list[SpiralPocketError]:
     """Return errors, each once with the labels of the pockets that have it, if not all have it.
 

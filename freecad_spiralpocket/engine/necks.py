@@ -17,6 +17,7 @@ import numpy as np
 import shapely
 from shapely import MultiPolygon, Polygon
 
+from .errors import told_area
 from .model import Floats, Notice
 from .shapes.region import grow, polygons_of, widest_disc
 from .shapes.shaping import CRACK, clipped
@@ -65,22 +66,22 @@ def unreachable_notices(
     rest = [piece for piece in rest if piece.area > LARGE * cutter_radius**2]
     found = [_part(piece, target, centers, cutter_radius) for piece in rest]
     parts = _joined([part for part in found if part is not None], cutter_radius)
-    cutter = f"The {2 * cutter_radius:g} mm cutter"
+    cutter = 2 * cutter_radius
     if len(parts) > TOLD_ONE_BY_ONE:
         widest = max(parts, key=lambda part: (part.width, part.place))
         return (
             Notice(
-                f"{cutter} does not fit {len(parts)} necks, up to {_mm(widest.width)} mm wide, the "
-                f"widest at {{at}}; these parts ({_area(sum(part.area for part in parts))} mm2) "
-                "stay uncut.",
+                f"The {cutter:g} mm cutter does not fit {len(parts)} necks, up to "
+                f"{_mm(widest.width)} mm wide, the widest at {{at}}; these parts "
+                f"({told_area(sum(part.area for part in parts))} mm2) stay uncut.",
                 f"A cutter below {_mm(min(part.width for part in parts))} mm reaches all of them.",
                 widest.place,
             ),
         )
     return tuple(
         Notice(
-            f"{cutter} does not fit the {_mm(part.width)} mm neck at {{at}}; that part "
-            f"({_area(part.area)} mm2) stays uncut.",
+            f"The {cutter:g} mm cutter does not fit the {_mm(part.width)} mm neck at {{at}}; that "
+            f"part ({told_area(part.area)} mm2) stays uncut.",
             f"A cutter below {_mm(part.width)} mm reaches it.",
             part.place,
         )
@@ -159,7 +160,3 @@ def _joined(parts: Sequence[_Part], radius: float) -> list[_Part]:
 
 def _mm(width: float) -> str:
     return f"{round(width, 2):g}"
-
-
-def _area(area: float) -> str:
-    return f"{area:.0f}" if area >= 1 else f"{area:.1g}"

@@ -208,7 +208,7 @@ class Pockets:
         wanted = request.build(self._obj, above.outline, depth, stock, above.beyond)
         others = [other for other in floors if other is not floor]
         fitted = sections.fitted(wanted, floor, above, others, sag)
-        self._overhung[id(floor)] = above.outline.area - fitted.pocket.area
+        self._overhung[id(floor)] = remarks.overhung(above.outline, fitted.pocket)
         self._shared[id(floor)] = above.are_others_inside
         if self._obj.UseRestMachining:
             return rest.rest_of(fitted, self._obj, self._known)

@@ -5,6 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
+import shapely
+from shapely import Polygon
+
 from ..engine.model import Notice, PocketRequest
 from .compat import parent_job
 from .rest import operations_before
@@ -12,8 +15,8 @@ from .selection import PICK_ALL, SAME_HEIGHT
 
 #: A smaller share of a pocket that was cleared before is none.
 LEAST_SHARE = 0.001
-#: A smaller part of the floor under leaning walls is not told [mm2].
-TOLD_OVERHANG = 0.5
+#: A smaller part of the floor under leaning walls is not told [mm2], nor a thinner one [mm].
+TOLD_OVERHANG, FILM = 0.5, 0.05
 
 
 def depths(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
@@ -129,6 +132,12 @@ def open_sides(wanted: PocketRequest) -> Notice:
 def goes_on() -> Notice:
     """Tell that only a part of a floor is selected."""
     return Notice("The floor goes on beyond what is selected; that stays.", PICK_ALL)
+
+
+def overhung(outline: Polygon, pocket: Polygon) -> float:
+    """Return how much of a floor within its outline is kept off for what hangs over it [mm2]."""
+    kept_off = shapely.difference(outline, pocket)
+    return float(shapely.buffer(shapely.buffer(kept_off, -FILM / 2), FILM / 2).area)
 
 
 def overhang(area: float) -> Notice:

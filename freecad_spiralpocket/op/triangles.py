@@ -20,6 +20,8 @@ from ..engine.model import Floats
 SAG = 5e-3
 #: A part of a triangle's normal up to this may be none of its face's.
 HARDLY_UP = 0.1
+#: Twice the area of triangles that are none, as at the pole of a ball [mm2].
+NONE = 1e-12
 #: Surfaces turned about an axis that bend both ways.
 TURNED = (Part.Toroid, Part.Sphere, Part.SurfaceOfRevolution)
 #: Edges at the end of a range of parameters are so near to it [rad or mm], looked at in so many
@@ -47,7 +49,7 @@ def looking_down(face: Any) -> Floats:
     middle = FreeCAD.Vector(*triangles[largest].mean(axis=0))
     outward = np.array(tuple(face.normalAt(*face.Surface.parameter(middle))))
     upward = normals[:, 2] * np.sign(normals[largest] @ outward)
-    return triangles[upward <= HARDLY_UP * sizes]
+    return triangles[(upward <= HARDLY_UP * sizes) & (sizes > NONE)]
 
 
 def is_patch(face: Any) -> bool:

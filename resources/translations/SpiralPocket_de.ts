@@ -1119,6 +1119,10 @@
         <translation>Einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
+        <source>Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.</source>
+        <translation>Einen kleineren Fräser nehmen; eine Nut, so breit wie der Fräser, ist etwas für FreeCADs Nut-Operation (Slot).</translation>
+    </message>
+    <message>
         <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
         <translation>Eine seitliche Zustellung von {0} %, einen kleineren Fräser oder die Strategie Automatisch nehmen.</translation>
     </message>
@@ -1365,6 +1369,10 @@
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
         <translation>Der {0}-mm-Fräser passt in die Tasche, hat aber bei {at} keinen Platz für seine Helix (Kreis von {1} mm).</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter has no room to move in the pocket: it is {1} mm wide at its widest, at {at}.</source>
+        <translation>Der {0}-mm-Fräser hat in der Tasche keinen Platz, sich zu bewegen: An der breitesten Stelle, bei {at}, ist sie {1} mm breit.</translation>
     </message>
     <message>
         <source>There is no machine '{0}'.</source>

@@ -1119,6 +1119,10 @@
         <translation>Tome una fresa menor.</translation>
     </message>
     <message>
+        <source>Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.</source>
+        <translation>Use una fresa más pequeña; una ranura tan ancha como la fresa es para la operación Slot de FreeCAD.</translation>
+    </message>
+    <message>
         <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
         <translation>Tome un paso lateral de {0} %, una fresa menor o la estrategia Automático.</translation>
     </message>
@@ -1365,6 +1369,10 @@
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
         <translation>La fresa de {0} mm cabe en la cajera, pero no tiene sitio para su hélice en {at} (círculo de {1} mm).</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter has no room to move in the pocket: it is {1} mm wide at its widest, at {at}.</source>
+        <translation>La fresa de {0} mm no tiene sitio para moverse en la cajera: mide {1} mm en su parte más ancha, en {at}.</translation>
     </message>
     <message>
         <source>There is no machine '{0}'.</source>

@@ -1119,6 +1119,10 @@
         <translation>Prenez une fraise plus petite.</translation>
     </message>
     <message>
+        <source>Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.</source>
+        <translation>Prenez une fraise plus petite ; une rainure aussi large que la fraise relève de l'opération Slot de FreeCAD.</translation>
+    </message>
+    <message>
         <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
         <translation>Prenez un pas latéral de {0} %, une fraise plus petite ou la stratégie Automatique.</translation>
     </message>
@@ -1365,6 +1369,10 @@
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
         <translation>La fraise de {0} mm entre dans la poche, mais n'a pas la place pour son hélice en {at} (cercle de {1} mm).</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter has no room to move in the pocket: it is {1} mm wide at its widest, at {at}.</source>
+        <translation>La fraise de {0} mm n'a pas la place de bouger dans la poche : elle mesure {1} mm à l'endroit le plus large, à {at}.</translation>
     </message>
     <message>
         <source>There is no machine '{0}'.</source>

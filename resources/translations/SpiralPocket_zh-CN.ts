@@ -1119,6 +1119,10 @@
         <translation>请用更小的刀具。</translation>
     </message>
     <message>
+        <source>Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.</source>
+        <translation>请选用更小的刀具;与刀具同宽的槽请用 FreeCAD 的 Slot 操作。</translation>
+    </message>
+    <message>
         <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
         <translation>请用 {0} % 的步距、更小的刀具或“自动”策略。</translation>
     </message>
@@ -1365,6 +1369,10 @@
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
         <translation>{0} mm 刀具可进入型腔，但在 {at} 处没有螺旋下刀空间（圆 {1} mm）。</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter has no room to move in the pocket: it is {1} mm wide at its widest, at {at}.</source>
+        <translation>{0} mm 的刀具在型腔中没有移动的余地:型腔最宽处(位于 {at})为 {1} mm。</translation>
     </message>
     <message>
         <source>There is no machine '{0}'.</source>

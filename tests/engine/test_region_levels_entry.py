@@ -12,12 +12,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import GeometryCollection, LineString, MultiPolygon, Point, box
 from shapely.affinity import rotate
-from shapes import DUMBBELL, FEEDS, HEIGHTS
+from shapes import DUMBBELL, FEEDS, HEIGHTS, request
 
+from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, named
 from freecad_spiralpocket.engine.floor import Descent, Helix, Slot
 from freecad_spiralpocket.engine.levels import floors
-from freecad_spiralpocket.engine.model import Entry, Heights
+from freecad_spiralpocket.engine.model import Cutting, Entry, Heights
 from freecad_spiralpocket.engine.necks import unreachable_notices
 from freecad_spiralpocket.engine.opening.entry import (
     cut_entry,
@@ -58,6 +59,22 @@ def test_cutter_wider_than_the_pocket_is_told_with_the_width():
     with pytest.raises(CutterDoesNotFitError, match="does not fit.*5.8.* mm wide") as caught:
         center_regions(box(0, 0, 40, 5.8), 3.0, 0.0)
     assert "below 5.8" in caught.value.hint
+
+
+@pytest.mark.parametrize("turn", [0, 17, 90])
+@pytest.mark.parametrize("diameter", [1.0, 6.0, 20.0])
+def test_slot_as_wide_as_the_cutter_is_refused_and_a_little_wider_one_is_cut(diameter, turn):
+    def slot(more):
+        line = LineString([(0, 0), (3 * diameter, 0)])
+        return rotate(line.buffer(diameter / 2 * (1 + more), quad_segs=64), turn)
+
+    cutting = Cutting(0.4 * diameter)
+    for more in (2e-4, 1e-3, 2e-3, 2.4e-3):
+        with pytest.raises(CutterDoesNotFitError, match="no room to move"):
+            plan(request(slot(more), tool_diameter=diameter, cutting=cutting))
+    for more in (2.8e-3, 4e-3, 0.01):
+        report = plan(request(slot(more), tool_diameter=diameter, cutting=cutting)).report
+        assert report.uncut_area == 0 and report.gouge < 0.01
 
 
 def test_neck_that_the_cutter_cannot_pass_is_told_with_its_place():

@@ -16,12 +16,16 @@ from freecad_spiralpocket.engine.links.passes import SLIM, slim
 from freecad_spiralpocket.engine.links.sequence import in_better_sequence
 from freecad_spiralpocket.engine.model import Strategy
 
-#: Rows of bosses, with bays in which nearest first leaves rests behind; bays along a wall.
+#: Rows of bosses, with bays in which nearest first leaves rests behind; bays along a wall, and
+#: bosses before them.
 BOSSES = box(0, 0, 110, 70).difference(
     shapely.union_all([Point(x, y).buffer(7) for x in (20, 43, 66, 89) for y in (20, 49)])
 )
 BAYS = shapes.rounded(
-    box(0, 0, 108, 44) - shapely.union_all([box(x, 14, x + 5, 45) for x in (18, 40, 62, 86)]), 4.0
+    box(0, 0, 110, 60)
+    - shapely.union_all([box(x, 42, x + 6, 61) for x in (20, 50, 80)])
+    - shapely.union_all([Point(x, 16).buffer(5) for x in (20, 45, 70, 95)]),
+    4.0,
 )
 
 

@@ -182,6 +182,22 @@ def test_walls_leaning_over_the_floor_are_kept_clear_of(doc):
     assert any("lean over the floor" in notice for notice in op.Notices)
 
 
+@pytest.mark.parametrize("radius", [20.0, 45.0])
+@pytest.mark.parametrize(
+    "groove",
+    [
+        lambda r: Part.makeCylinder(r + 1.5, 1.6, Vector(0, 0, -5)),
+        lambda r: Part.makeTorus(r, 1.5, Vector(0, 0, -4)),
+    ],
+    ids=["square", "round"],
+)
+def test_a_groove_in_the_wall_hangs_over_nothing(doc, groove, radius):
+    bore = block(area(circle(radius))).cut(groove(radius))
+    op = cut(doc, bore, -DEPTH, diameter=8.0, StepDown=DEPTH + 1.0)
+    assert op.UncutArea < 0.05 and len(gouges_of(op, bore)) == 0
+    assert not any("lean over" in notice for notice in op.Notices)
+
+
 def test_an_overhung_floor_is_refused_with_the_reason(doc):
     shape = slanted_block((-60, -60, -60, -60), DEPTH, 24.0, 24.0, 1.0)
     part = add_part(doc, shape)

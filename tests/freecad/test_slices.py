@@ -11,7 +11,7 @@ from FreeCAD import Vector
 from shapely import Point, Polygon, box
 
 from freecad_spiralpocket.engine.errors import GeometryError
-from freecad_spiralpocket.op import geometry, slices
+from freecad_spiralpocket.op import geometry, slices, triangles
 
 SAG = 0.005
 PEG = (20.0, 10.0)
@@ -98,13 +98,13 @@ def test_what_hangs_over_a_place_is_found_without_the_rest_of_the_face(shape):
     solid, z, leaning = shape()
     place = box(4, 8, 14, 24)
     bent = [face for face in solid.Faces if not isinstance(face.Surface, Part.Plane)]
-    triangles = [slices.overhang(face, place, z) for face in bent]
+    found_on = [slices.overhang(face, place, z) for face in bent]
     wanted = leaning.intersection(place)
-    found = slices.shadow(triangles, z).intersection(place)
+    found = slices.shadow(found_on, z).intersection(place)
     # what hardly looks up is taken too
     assert wanted.area > 1.0 and wanted.difference(found).area < 0.1
     assert found.difference(wanted.buffer(0.1)).area < 0.1
-    reach = np.concatenate([*triangles]).reshape(-1, 3)[:, :2]
+    reach = np.concatenate(found_on).reshape(-1, 3)[:, :2]
     assert reach.min(axis=0)[1] > 0 and reach[:, 0].min() > 0
 
 
@@ -115,7 +115,34 @@ def test_what_looks_up_above_a_place_needs_no_triangles():
 
 def test_a_face_that_ends_at_a_height_hangs_over_nothing_there():
     side = Part.makeLine(Vector(0, 0, 0), Vector(10, 0, 0)).extrude(Vector(0, 3, 5))
-    triangles = slices.overhang(side, box(-5, -5, 15, 15), -1.0)
-    assert len(triangles)
-    assert slices.shadow([triangles], 5.0).is_empty
-    assert slices.shadow([triangles], 4.0).area == pytest.approx(10 * 0.6, rel=0.1)
+    found = slices.overhang(side, box(-5, -5, 15, 15), -1.0)
+    assert len(found)
+    assert slices.shadow([found], 5.0).is_empty
+    assert slices.shadow([found], 4.0).area == pytest.approx(10 * 0.6, rel=0.1)
+
+
+@pytest.mark.parametrize("minor", [0.5, 2.0, 6.0])
+def test_turned_faces_become_triangles_within_the_sag(minor):
+    torus = Part.makeTorus(20, minor).Faces[0]
+    parts = [torus, Part.makeSphere(minor).Faces[0]]
+    block = Part.makeBox(60, 60, 40, Vector(-30, -30, -20))
+    parts += [
+        f
+        for f in block.cut(Part.makeTorus(20, minor)).Faces
+        if not isinstance(f.Surface, Part.Plane)
+    ]
+    for face in parts:
+        assert triangles.is_patch(face)
+        found = triangles.looking_down(face)
+        assert len(found) < 30000
+        middles = found.mean(axis=1)[:: max(1, len(found) // 200)]
+        for x, y, z in middles:
+            u, v = face.Surface.parameter(Vector(x, y, z))
+            assert (face.Surface.value(u, v) - Vector(x, y, z)).Length < 1.2 * triangles.SAG
+            assert face.normalAt(u, v).z < 0.3
+
+
+def test_a_face_with_a_hole_is_no_patch():
+    ball = Part.makeSphere(12).cut(Part.makeCylinder(2, 40, Vector(5, 0, -20)))
+    (face,) = [f for f in ball.Faces if isinstance(f.Surface, Part.Sphere)]
+    assert not triangles.is_patch(face)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 from shapely import MultiPolygon
 
+from ..errors import told_area
 from ..model import Notice, PocketRequest
 from ..stepover import over_limit
 from .wall_steps import WallStep
@@ -50,7 +51,7 @@ def tell_uncut(uncut: MultiPolygon, request: PocketRequest) -> list[Notice]:
     largest = max(uncut.geoms, key=lambda part: part.area).representative_point()
     return [
         Notice(
-            f"{uncut.area:.3g} mm2 of the floor stay uncut, the largest part at {{at}}.",
+            f"{told_area(uncut.area)} mm2 of the floor stay uncut, the largest part at {{at}}.",
             "A smaller step-over may clear it.",
             (float(largest.x), float(largest.y)),
         )

@@ -18,8 +18,8 @@ from ..errors import CutterDoesNotFitError
 #: Largest distance between a buffer's polygon and its true arcs [mm]; around cutter-center regions
 #: of small cutters over R.
 BUFFER_SAG, FINE_SAG = 0.001, 1 / 3000
-#: Channels wider than the cutter by less than twice this are too narrow for it, over R.
-HAIR = 0.003
+#: Pockets and channels wider than the cutter by less than twice this are too narrow for it, over R.
+HAIR = 0.0025
 #: Chords of circles that are larger than any part are no shorter [rad]: rounding would make them 0.
 LEAST_STEP = 1e-4
 
@@ -91,13 +91,23 @@ def center_regions(pocket: Polygon, cutter_radius: float, stock: float) -> list[
             else "Lower StockToLeave.",
             place,
         )
-    return [part for region in regions for part in without_hairs(region, cutter_radius)]
+    parts = [part for region in regions for part in without_hairs(region, cutter_radius)]
+    if not parts:
+        place, radius = widest_disc(pocket)
+        raise CutterDoesNotFitError(
+            f"The {2 * cutter_radius:g} mm cutter has no room to move in the pocket: it is "
+            f"{2 * radius:.5g} mm wide at its widest, at {{at}}.",
+            "Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.",
+            place,
+        )
+    return parts
 
 
 def without_hairs(region: Polygon, radius: float) -> list[Polygon]:
     """Return a cutter-center region without channels as wide as the cutter and no more.
 
     There is no way to enter these, and what hangs together by one alone is cut room by room.
+    Nothing is left of one that is such a channel.
 
     Parameters
     ----------
@@ -107,7 +117,9 @@ def without_hairs(region: Polygon, radius: float) -> list[Polygon]:
     """
     half = HAIR * radius
     cores = polygons_of(grow(region, -half))
-    if not cores or (len(cores) == 1 and len(cores[0].interiors) == len(region.interiors)):
+    if not cores:
+        return []
+    if len(cores) == 1 and len(cores[0].interiors) == len(region.interiors):
         return [region]
     left = shapely.difference(region, grow(MultiPolygon(cores), 1.001 * half))
     # corners are no longer than they are wide
