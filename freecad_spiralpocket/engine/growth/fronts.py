@@ -53,6 +53,8 @@ FAR = 3.0
 #: Distance of samples along a front, and width of the smoothing under which its bends are taken,
 #: over R or over the width of a slim one.
 SPACING, SOFT = 0.12, 0.4
+#: A front as near to a wall as this meets it [mm].
+TOUCHES = 0.02
 #: What is left of a hole without its arms is as much smaller all around [mm]: within the hole.
 INSIDE = 0.002
 #: Samples of a moved front that matter less than this are left out [mm].
@@ -77,6 +79,8 @@ MAX_FRONTS = 2000
 def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
     """Open a region where it meets the walls of `omega`; its free tips stay."""
     core = grow_coarsely(shape, -fillet)
+    if core.is_empty and not shapely.dwithin(shape, omega.boundary, TOUCHES):
+        return shape  # a slim room, whose walls it does not meet yet
     opened = grow_coarsely(core, fillet)
     kept = grow_coarsely(core, (1 + TIP_HEIGHT) * fillet)
     shapely.prepare(kept)
