@@ -46,6 +46,7 @@ from .proof.verify import prove
 from .rendering import Cut, render
 from .repair import Proved, badness, repaired
 from .rooms import Room, rooms_of
+from .shapes.region import grow
 from .sizes import planned_resized
 from .toolpath import Toolpath
 
@@ -95,8 +96,10 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     asked, request = request, _without_crowds(request)
     rooms, notices = _rooms_with_stock(request)
     cuts, uncut = _cuts(rooms, request, progress)
+    done = {cut.room for cut in cuts}
+    missed = [grow(r.region, request.cutter_radius) for r in rooms if r not in done]
     prove_cuts = partial(
-        _proved, request=request, complete=len(cuts) == len(rooms), progress=progress
+        _proved, request=request, missed=shapely.union_all(missed), progress=progress
     )
     other: dict[int, PocketRequest] = {}
     again = partial(_planned_again, used=other, progress=progress)
@@ -183,19 +186,24 @@ def _start_notices(toolpath: Toolpath, request: PocketRequest) -> list[Notice]:
 
 
 def _proved(
-    cuts: Sequence[Cut], request: PocketRequest, complete: bool, progress: Progress | None
+    cuts: Sequence[Cut],
+    request: PocketRequest,
+    missed: shapely.Geometry,
+    progress: Progress | None,
 ) -> Proved:
-    """Return the path of cuts with its feeds, and its proof."""
+    """Return the path of cuts with its feeds, and its proof; `missed` is the ground of others."""
     drawn, owners = render(cuts, request)
     if request.cutting.cut_mode is CutMode.CONVENTIONAL:
         drawn = drawn.mirrored()
     _tell(progress, 0.7, "Planning feeds")
     toolpath, engagement = _with_feeds(drawn, request)
     _tell(progress, 0.8, "Proving the path")
-    report = prove(request, toolpath, engagement)
+    report = prove(request, toolpath, engagement, missed)
     middles = ends_of(toolpath) - toolpath.lengths / 2  # feeds split moves
     hit = owners[moves_at(drawn, middles[sorted(report.hit_moves)])]
-    return Proved(cuts, toolpath, report, frozenset((int(c), int(p)) for c, p in hit), complete)
+    return Proved(
+        cuts, toolpath, report, frozenset((int(c), int(p)) for c, p in hit), missed.is_empty
+    )
 
 
 def _planned_again(

@@ -308,3 +308,13 @@ def test_crowds_of_points_cost_nothing():
     crowded = planned(shapely.segmentize(plain, 0.002))
     assert len(crowded.toolpath) == len(planned(plain).toolpath)
     assert crowded.request.pocket.exterior.length == pytest.approx(plain.exterior.length)
+
+
+def test_a_room_without_a_way_down_is_told_once():
+    hole = Point(30, 0).buffer(3.06, quad_segs=64)
+    pocket = shapely.union_all([box(-15, -12, 15, 12), box(14, -1, 30, 1), hole])
+    report = plan(make_request(pocket, strategy=Strategy.AUTOMATIC)).report
+    assert report.uncut_area > 25
+    told = [str(notice) for notice in report.notices]
+    assert sum("no room for its helix" in text for text in told) == 1
+    assert not any("of the floor stay uncut" in text for text in told)

@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import numpy as np
+import shapely
 from shapely import MultiPolygon
 
 from ..errors import told_area
 from ..model import Notice, PocketRequest
+from ..shapes.region import polygons_of
 from ..stepover import over_limit
 from .wall_steps import WallStep
 
@@ -44,14 +46,18 @@ def tell_too_deep(depth: float, tolerance: float) -> list[Notice]:
     ]
 
 
-def tell_uncut(uncut: MultiPolygon, request: PocketRequest) -> list[Notice]:
-    """Tell how much of the floor stays uncut though the cutter could reach it."""
-    if uncut.area <= TOLD_UNCUT * np.pi * request.cutter_radius**2:
+def tell_uncut(
+    uncut: MultiPolygon, missed: shapely.Geometry, request: PocketRequest
+) -> list[Notice]:
+    """Tell how much of the floor stays uncut, but for what is `missed`, that the cutter reaches."""
+    parts = polygons_of(shapely.difference(uncut, missed))
+    area = sum(part.area for part in parts)
+    if area <= TOLD_UNCUT * np.pi * request.cutter_radius**2:
         return []
-    largest = max(uncut.geoms, key=lambda part: part.area).representative_point()
+    largest = parts[0].representative_point()
     return [
         Notice(
-            f"{told_area(uncut.area)} mm2 of the floor stay uncut, the largest part at {{at}}.",
+            f"{told_area(area)} mm2 of the floor stay uncut, the largest part at {{at}}.",
             "A smaller step-over may clear it.",
             (float(largest.x), float(largest.y)),
         )

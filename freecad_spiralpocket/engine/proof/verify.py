@@ -40,10 +40,14 @@ TOLD_STEP = 0.05
 #: Air moves may skim this many tolerances of stock (that much a path may leave on both sides)
 #: or this share of the radius, which no cutter feels.
 AIR_TOLERANCES, AIR_SHARE = 2.0, 0.02
+NOTHING = Polygon()
 
 
 def prove(
-    request: PocketRequest, toolpath: Toolpath, engagement: Engagement | None = None
+    request: PocketRequest,
+    toolpath: Toolpath,
+    engagement: Engagement | None = None,
+    missed: shapely.Geometry = NOTHING,
 ) -> Report:
     """Measure a finished toolpath against what was asked.
 
@@ -53,6 +57,8 @@ def prove(
     toolpath : Toolpath
     engagement : Engagement, optional
         Along this toolpath, where it is known already.
+    missed : shapely.Geometry, optional
+        Ground of which it is told elsewhere that it stays uncut.
 
     Returns
     -------
@@ -96,7 +102,7 @@ def prove(
             *findings.tell_too_deep(too_deep, request.tolerance),
             *findings.tell_hits("rapid", rapid.length, rapid.place),
             *findings.tell_hits("link", link.length, link.place),
-            *findings.tell_uncut(uncut, request),
+            *findings.tell_uncut(uncut, missed, request),
             *findings.tell_steps(step),
             *findings.tell_engagement(
                 load.largest, load.place, load.over_share, load.is_slowed, request
