@@ -206,7 +206,7 @@ def test_the_smallest_cutters_are_planned_as_any(strategy):
 
 @pytest.mark.parametrize("strategy", [Strategy.AUTOMATIC, Strategy.ISOTHERM])
 def test_errors_of_small_cutters_tell_the_sizes_of_the_pocket(strategy):
-    pocket = Point(20, 10).buffer(0.501, quad_segs=64)
+    pocket = Point(20, 10).buffer(0.503, quad_segs=64)
     made = replace(resized_request(make_request(pocket, strategy=strategy), 1.0), tolerance=0.001)
     made = replace(made, tool_diameter=1.0, cutting=Cutting(0.4))
     with pytest.raises(CutterDoesNotFitError) as caught:

@@ -34,9 +34,11 @@ from .strokes import Stroke
 LEANS = 1.25
 #: Strokes are compared in pieces of so many points.
 CHUNK = 24
-#: A spiral goes on to the next lap where that is no farther than this over the step-over outwards,
-#: and than this over R about a plug, where laps may be far apart: no cusp stays between two turns.
-WIDEST, WIDEST_INWARDS = 1.3, 1.72
+#: A spiral goes on to the next lap where that is no farther than this over the step-over: outwards,
+#: and about a plug, whose corners are rounded.
+WIDEST, WIDEST_INWARDS = 1.3, 3.4
+#: And no farther than this over R, for else a cusp may stay between two turns.
+WITHOUT_CUSPS = 1.72
 #: So many of a spiral's last laps are looked at for what they leave: in its zone each lags behind.
 LAST = 3
 #: A first lap outwards may be farther from the place where the entry ends, by this factor.
@@ -350,7 +352,9 @@ def begins_on(ring: LineString, stroke: Stroke, radius: float, stepover: float) 
 
 
 def _widest(exterior: bool, radius: float, stepover: float) -> float:
-    return WIDEST * stepover if exterior else WIDEST_INWARDS * radius
+    if exterior:
+        return WIDEST * stepover
+    return min(WIDEST_INWARDS * stepover, WITHOUT_CUSPS * radius)
 
 
 def unit(v: Floats) -> Floats:
