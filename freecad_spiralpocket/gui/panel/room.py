@@ -36,7 +36,8 @@ def make_room(pages: Any, shown: Any, folded: Any) -> bool:
         lacks, has = 0, dock.width()
         for area in dock.findChildren(QtGui.QScrollArea):
             if area.isAncestorOf(shown) and area.widget() is not None:
-                around = area.verticalScrollBar().sizeHint().width()  # it may come later
+                # a bar may come later; asked for by its name it could be what has gone (names.py)
+                around = area.style().pixelMetric(QtGui.QStyle.PM_ScrollBarExtent)
                 around += 2 * area.frameWidth()
                 wide = area.widget().minimumSizeHint().width()
                 if area.widget() is shown:  # FreeCAD leaves it out of its reckoning
