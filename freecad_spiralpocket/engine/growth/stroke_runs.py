@@ -318,9 +318,9 @@ def followed(
         good = np.flatnonzero(gaps(here, lap, grid, length, 1.01 * widest) <= widest)
         if len(good) == 0:
             break
-        nearest_ = np.round(at / here.length * count).astype(np.intp) % count
-        following = np.append(good, good[0] + count)[np.searchsorted(good, nearest_)]
-        further = (following - nearest_) * here.length / count
+        beside = np.round(at / here.length * count).astype(np.intp) % count
+        following = np.append(good, good[0] + count)[np.searchsorted(good, beside)]
+        further = (following - beside) * here.length / count
         # the first lap is left where the entry ends
         goes_on &= further < (length if number else here.length / count / 2)
         counts += goes_on

@@ -40,6 +40,7 @@ TOLD_STEP = 0.05
 #: Air moves may skim this many tolerances of stock (that much a path may leave on both sides)
 #: or this share of the radius, which no cutter feels.
 AIR_TOLERANCES, AIR_SHARE = 2.0, 0.02
+#: No ground.
 NOTHING = Polygon()
 
 
