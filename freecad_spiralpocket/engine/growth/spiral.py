@@ -17,7 +17,7 @@ from shapely import LineString, Polygon
 
 from ..model import Floats
 from ..numerics.distinct import distinct
-from ..numerics.filters import evened
+from ..numerics.filters import evened, highest
 from ..numerics.nearest import nearest
 from ..shapes.points import distances_along
 from ..shapes.polyline import locate, points_at
@@ -38,6 +38,8 @@ OUTWARDS, INWARDS = 0.4, 0.8
 SLIM = 0.5
 #: The way across is evened out over so much [mm].
 EVEN = 1.0
+#: Steps into which a zone is divided to measure gaps.
+SAMPLES = 6
 #: Places to leave a lap that are looked at, on long ones one in so many R.
 ZONES, APART = 8, 1.5
 #: Distance of all places where a lap may be left, over R.
@@ -130,10 +132,22 @@ def gaps(
     ndarray of shape (n,)
         [mm]
     """
-    at = (starts[:, None] + np.linspace(0.0, length, 7)) % lap.length
-    points = points_at(lap, at.ravel())
-    chords = shapely.get_coordinates(shapely.segmentize(target, CHORD))
-    return nearest(chords, points, within)[0].reshape(at.shape).max(axis=1)
+    at = (starts[:, None] + np.linspace(0.0, length, SAMPLES + 1)) % lap.length
+    return _apart(lap, target, at.ravel(), within).reshape(at.shape).max(axis=1)
+
+
+def gaps_all_round(
+    lap: LineString, target: LineString, count: int, length: float, within: float = np.inf
+) -> Floats:
+    """Return what `gaps` does for `count` places that divide a lap evenly, shape (count,) [mm].
+
+    What the zones have in common is only measured once.
+    """
+    each = max(1, int(np.ceil(SAMPLES * lap.length / (length * count))))
+    at = np.linspace(0.0, lap.length, each * count, endpoint=False)
+    apart = _apart(lap, target, at, within)
+    half = int(np.ceil(length / lap.length * len(at) / 2))
+    return np.roll(highest(apart, 2 * half + 1, closed=True), -half)[::each]
 
 
 def zones(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
@@ -142,11 +156,12 @@ def zones(lap: LineString, target: LineString, radius: float, widest: float) -> 
     Spread over those where the gap through the zone is at most `widest`; the one of the least gap
     where there is none. For `radius` see `zone_size`.
     """
-    starts = np.linspace(0.0, lap.length, max(12, int(lap.length / radius)), endpoint=False)
-    length = zone_length(lap, target, radius)
-    good = np.flatnonzero(np.round(gaps(lap, target, starts, length, 1.01 * widest), 3) <= widest)
+    places = max(12, int(lap.length / radius))
+    starts = np.linspace(0.0, lap.length, places, endpoint=False)
+    wide = np.round(gaps_all_round(lap, target, places, zone_length(lap, target, radius)), 3)
+    good = np.flatnonzero(wide <= widest)
     if len(good) == 0:
-        return starts[[int(np.argmin(np.round(gaps(lap, target, starts, length), 3)))]]
+        return starts[[int(np.argmin(wide))]]
     count = max(ZONES, int(lap.length / (APART * radius)))
     return starts[good[distinct(np.linspace(0, len(good) - 1, count).astype(int))]]
 
@@ -159,7 +174,8 @@ def anywhere(lap: LineString, target: LineString, radius: float, widest: float) 
     count = max(12, int(lap.length / (CLOSE * radius)))
     starts = np.linspace(0.0, lap.length, count, endpoint=False)
     length = zone_length(lap, target, radius)
-    return starts[np.round(gaps(lap, target, starts, length, 1.01 * widest), 3) <= widest]
+    wide = gaps_all_round(lap, target, count, length, 1.01 * widest)
+    return starts[np.round(wide, 3) <= widest]
 
 
 def ends_of(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
@@ -309,3 +325,9 @@ def _follows(lap: Stroke, before: Stroke) -> bool:
     if lap.level != before.level + 1 or lap.exterior != before.exterior:
         return False
     return lap.exterior or Polygon(before.points).contains(shapely.Point(lap.points[0]))
+
+
+def _apart(lap: LineString, target: LineString, at: Floats, within: float) -> Floats:
+    """Return how far places along a lap [mm] are from another; infinite beyond `within` [mm]."""
+    chords = shapely.get_coordinates(shapely.segmentize(target, CHORD))
+    return nearest(chords, points_at(lap, at), within)[0]

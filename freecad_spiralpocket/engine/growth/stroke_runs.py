@@ -21,6 +21,7 @@ from .spiral import (
     chains_of,
     ends_of,
     gaps,
+    gaps_all_round,
     onward,
     spiral_through,
     without_air,
@@ -313,9 +314,9 @@ def followed(
     here, at = source, places
     for number, lap in enumerate(laps):
         count = max(12, int(here.length / (size / 2)))
-        grid = np.linspace(0.0, here.length, count, endpoint=False)
         length = zone_length(here, lap, size)
-        good = np.flatnonzero(gaps(here, lap, grid, length, 1.01 * widest) <= widest)
+        wide = gaps_all_round(here, lap, count, length, 1.01 * widest)
+        good = np.flatnonzero(wide <= widest)
         if len(good) == 0:
             break
         beside = np.round(at / here.length * count).astype(np.intp) % count

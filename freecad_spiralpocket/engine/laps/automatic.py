@@ -58,8 +58,8 @@ LIKELY = 1.3
 #: No corner takes so many levels; what does is a channel hardly wider than the cutter, where
 #: strokes cannot hold the engagement. A start that leaves one is taken if it is faster by this.
 CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
-#: A start with more links than the best so far is taken if it is faster by this share: where a
-#: stroke leaves a wall the engagement jumps, and links wear the machine.
+#: Of two starts that with more links is taken only if it is faster by this share: where a stroke
+#: leaves a wall the engagement jumps, and links wear the machine.
 TIE = 0.06
 #: A slot without stairs spares at most the time of so many links, and this share of that of all: it
 #: is not grown where stairs save more than that.
@@ -256,7 +256,8 @@ class _Best:
 
     def is_beaten_by(self, seconds: float, links: int) -> bool:
         """Return whether a start is better that takes so long, with so many links."""
-        return seconds < (self.seconds if links <= self.links else (1 - TIE) * self.seconds)
+        more = (links > self.links) - (links < self.links)
+        return seconds < (1 - TIE) ** more * self.seconds
 
 
 def _grown(

@@ -47,17 +47,14 @@ def well_ended(start: Start, strokes: Sequence[Stroke], request: PocketRequest) 
     laps = first_laps(strokes, start.ring, radius, stepover)
     if len(laps) < 2:
         return start
-    now = followed(start.ring, np.zeros(1), laps, radius, stepover)[0]
-    if now == len(laps):
-        return start
     ring = start.ring
-    places = np.arange(0.0, ring.length, APART * radius)
+    places = np.arange(0.0, ring.length, APART * radius)  # the first is where it ends now
     zone = BLEND * radius
     bent = bends(ring, places - zone / 4, 1.5 * zone)
     places = places[bent <= max(STRAIGHT, float(bent[0]))]
     counts = followed(ring, places, laps, radius, stepover)
     best = np.flatnonzero(counts == counts.max())
-    if counts[best[0]] <= now:
+    if best[0] == 0:
         return start
     away = np.minimum(places[best], ring.length - places[best])
     place = float(places[best[np.argmin(away)]])

@@ -39,8 +39,9 @@ LEAST_LENGTH = 1.2
 LOWER, SLACK = 1 / 6, math.radians(5.0)
 #: What the first lap may leave of the stair's floor, over R squared.
 CRUMB = 1e-4
-#: Halvings in the search for a limit.
+#: Halvings in the search for many limits at once, and rounds and sections in that for one.
 HALVINGS = 30
+ROUNDS, SECTIONS = 4, 24
 
 
 def stairs_of(
@@ -138,9 +139,10 @@ def _distances(drops: Floats, rules: FrontRules) -> Floats:
     reach = 2 * radius - (WIDEST - 1) * rules.stepover
 
     def is_reached(most: Floats) -> NDArray[np.bool_]:
-        return np.asarray(_first_lap(drops, np.minimum(distances, most), rules) < reach)
+        tried = np.minimum(distances[:, None], most)
+        return np.asarray(_first_lap(drops, tried, rules) < reach)
 
-    distances = np.minimum(distances, _largest(is_reached, distances[0]))
+    distances = np.minimum(distances, _largest_one(is_reached, float(distances[0])))
     # what a loop clears beyond the first lap's middle would be lost
     return np.minimum(distances, _first_lap(drops, distances, rules))
 
@@ -172,6 +174,16 @@ def _largest(holds: Callable[[Floats], NDArray[np.bool_]], most: Floats) -> Floa
         middle = (low + high) / 2
         found = holds(middle)
         low, high = np.where(found, middle, low), np.where(found, high, middle)
+    return low
+
+
+def _largest_one(holds: Callable[[Floats], NDArray[np.bool_]], most: float) -> float:
+    """Return the largest value in [0, `most`] up to which something holds."""
+    low, step = 0.0, most
+    for _ in range(ROUNDS):
+        step /= SECTIONS
+        found = holds(np.linspace(low, low + SECTIONS * step, SECTIONS + 1)[1:])
+        low += step * int(np.logical_and.accumulate(found).sum())
     return low
 
 
