@@ -154,6 +154,24 @@ def test_notches_between_pins_are_cut_however_shallow(radius, apart):
     assert shapely.distance(shapely.points(wall.coords), cut).max() < 0.03
 
 
+def test_hub_whose_wall_the_ring_meets_nowhere_is_led_onto_from_the_ring():
+    turns = 2 * math.pi / 7 * np.arange(7)
+    pins = [Point(19.44 * math.cos(t), 19.44 * math.sin(t)).buffer(2.19) for t in turns]
+    islands = shapely.union_all([Point(0, 0).buffer(4.91), *pins])
+    pocket = box(-40, -32, 40, 32).buffer(-9).buffer(9).difference(islands)
+    region = pocket.buffer(-3, quad_segs=64)
+    start = island_ring(region, make_request(pocket))
+    around = [m for m in mouths_of(start, region, 3.0) if np.abs(np.hypot(*m.T) - 8).max() < 1]
+    assert len(around) == 1
+    assert start.ring.distance(Point(around[0][0])) < 1e-3
+    wall = next(r for r in region.interiors if Polygon(r).contains(Point(0, 0)))
+    cut = LineString(around[0])
+    assert shapely.distance(shapely.points(wall.coords), cut).max() < 0.01
+    report = automatic(pocket, cutting=Cutting(0.9)).report
+    assert report.link_hit == report.rapid_hit == 0
+    assert report.uncut_area < 0.01
+
+
 @pytest.mark.parametrize("angle", [0.0, 37.0])
 @pytest.mark.parametrize("teeth", [10, 16])
 def test_notches_of_an_island_are_cut_as_gently_as_the_rest(teeth, angle):

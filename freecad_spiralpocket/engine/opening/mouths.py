@@ -11,14 +11,17 @@ import shapely.ops
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
-from ..growth.spiral import between
+from ..growth.spiral import between, eased
 from ..model import Floats
+from ..shapes.points import distances_along
 from ..shapes.region import polygons_of
 from ..shapes.shaping import CRACK, Region
 from .start import Start
 
 #: Strokes at the mouths of bridges begin and end so much early and late, over R.
 OVERRUN = 0.5
+#: Where the ring meets an island's wall nowhere its stroke comes onto that over so much, over R.
+LEAD = 2.0
 #: An island's wall has a mouth or a notch where it is farther than the first from the ring round it
 #: [mm]; a notch that is nothing else, too, where it is farther than the second.
 PASSED_BY = (0.05, 0.02)
@@ -51,9 +54,27 @@ def mouths_of(start: Start, region: Polygon, radius: float) -> list[Floats]:
             if len(parts):
                 shallow = shallow[~shapely.dwithin(shallow, shapely.union_all(parts), CRACK)]
             for part in (*parts, *shallow):
+                if part.is_closed:  # the ring meets the wall nowhere
+                    mouths.append(_led_onto(line, start.ring, LEAD * radius))
+                    continue
                 begin = line.project(shapely.Point(part.coords[0]))
                 mouths.append(between(line, begin - overrun, part.length + 2 * overrun))
     return mouths
+
+
+def _led_onto(wall: LineString, ring: LineString, lead: float) -> Floats:
+    """Return the way from where a ring is nearest to a wall along all of that, shape (n, 2) [mm].
+
+    It comes nearer to the wall over `lead` [mm], and runs on by as much in the end.
+    """
+    near = np.array(shapely.shortest_line(wall, ring).coords)
+    points = between(wall, wall.project(shapely.Point(near[0])), wall.length + lead)
+    points = shapely.get_coordinates(shapely.segmentize(LineString(points), lead / 20))
+    ahead = np.gradient(points, axis=0)
+    aside = np.column_stack([-ahead[:, 1], ahead[:, 0]]) / np.hypot(*ahead.T)[:, None]
+    off = float(aside[0] @ (near[1] - near[0]))
+    still = 1 - eased(np.minimum(distances_along(points) / lead, 1.0))
+    return points + (off * still)[:, None] * aside
 
 
 def _parts_outside(line: LineString, ground: Region) -> NDArray[np.object_]:
