@@ -193,6 +193,17 @@ def test_ramps_along_curved_walls_are_few_moves(pocket):
     assert (np.arange(len(ends)) - begun).max() < 200
 
 
+@pytest.mark.parametrize("width", [6.5, 7.5, 9.5])
+def test_four_rooms_in_a_ring_of_channels_are_cut_without_a_lift(width):
+    rooms = [box(x, y, x + 25, y + 25) for x in (0, 40) for y in (0, 40)]
+    half = width / 2
+    channels = [box(0, y - half, 65, y + half) for y in (12.5, 52.5)]
+    channels += [box(x - half, 0, x + half, 65) for x in (12.5, 52.5)]
+    result = planned(rounded(shapely.union_all([*rooms, *channels]), 3.2))
+    assert lifts(result) == 1
+    assert result.report.link_hit == 0
+
+
 def test_slot_goes_to_the_ends_of_a_narrow_room():
     narrow = LineString([(0, 0), (40, 0), (40, 30)]).buffer(4)
     result = planned(narrow)

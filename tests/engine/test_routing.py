@@ -12,7 +12,8 @@ from shapely.geometry.polygon import orient
 from freecad_spiralpocket.engine.growth.strokes import Stroke
 from freecad_spiralpocket.engine.links.cleared import ClearedMap
 from freecad_spiralpocket.engine.links.ground import COARSE, Ground
-from freecad_spiralpocket.engine.links.routing import HOPE, LongWays, back_along_ring, tightest_bend
+from freecad_spiralpocket.engine.links.ring_ways import back_along_ring, onto_ring
+from freecad_spiralpocket.engine.links.routing import HOPE, LongWays, tightest_bend
 from freecad_spiralpocket.engine.shapes.shaping import largest
 
 
@@ -73,6 +74,34 @@ def test_beside_one_place_of_the_slot_the_way_leads_straight_across():
     start, end = np.array([40.05, 20.0]), np.array([39.96, 20.0])
     way, _ = back_along_ring(start, end[None], cleared, room)
     np.testing.assert_allclose(way, [start, end])
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+@pytest.mark.parametrize("end", [(40.0, 6.0), (40.0, 34.0), (31.0, 6.3)])
+def test_a_way_turns_onto_the_slot_out_of_a_channel(end, turn):
+    room, channel = box(32, 8, 60, 32).buffer(2), box(0, 18, 34, 22)
+    region = orient(room.union(channel).buffer(-1).buffer(3, quad_segs=32).buffer(-2))
+    ring = LineString(region.exterior.coords[::turn])
+    # in the room the slot has stock beside it
+    slot = orient(channel.union(region.difference(region.buffer(-0.02))))
+    cleared = ClearedMap([slot], [], region, [], 3.0, 0.25, ring)
+    start, fence, radius = np.array([5.0, 20.0]), region.buffer(0.003), 3.0
+    shapely.prepare(fence)
+    at = ring.project(Point(end))
+    place, ahead = (np.array(ring.interpolate(at + off).coords[0]) for off in (0, turn * 0.1))
+    onward = 1 if end[1] < 20 else -1  # away from the channel: counter-clockwise below it
+    heading = onward * (ahead - place) / 0.1
+    ways = LongWays(start, np.array([1.0, 0.0]), cleared, fence, radius)
+    assert ways.to(place, heading) is None  # no spline keeps to the slot
+    found = onto_ring(ways, place[None], heading[None], cleared, fence, radius)
+    assert found is not None and found[1] == 0
+    way = found[0]
+    np.testing.assert_allclose([way[0], way[-1]], [start, place], atol=1e-9)
+    headings = np.unwrap(np.arctan2(*np.diff(way, axis=0).T[::-1]))
+    assert np.abs(np.diff(headings)).max() < math.radians(25)
+    within = shapely.contains_xy(room, way)
+    assert within.any()
+    assert shapely.distance(ring, shapely.points(way[within])).max() < 0.01
 
 
 @pytest.mark.parametrize("gap", [0.1, 0.6, 2.0])

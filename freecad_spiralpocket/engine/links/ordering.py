@@ -20,7 +20,8 @@ from ..growth.stroke_runs import Run, unit
 from ..model import Floats
 from .cleared import ClearedMap
 from .linking import Motion, are_nervous, fine_link, hermite_links, link_times
-from .routing import LongWays, back_along_ring
+from .ring_ways import back_along_ring, onto_ring
+from .routing import LongWays
 
 #: So many of the nearest ready runs are tried at a time.
 TRIED = 8
@@ -221,8 +222,10 @@ class _Cutter:
             found = long_ways.to(starts[w], headings[w])
             if found is not None:
                 return found, w
-        back = back_along_ring(here, starts[ways], self._cleared, self._fence)
-        return (None, ways[0]) if back is None else (back[0], ways[back[1]])
+        ends, arriving = starts[ways], headings[ways]
+        over = onto_ring(long_ways, ends, arriving, self._cleared, self._fence, radius)
+        over = over or back_along_ring(here, ends, self._cleared, self._fence)
+        return (None, ways[0]) if over is None else (over[0], ways[over[1]])
 
     def _open_ways(self, ways: Sequence[int]) -> list[int]:
         """Return the ways whose beginnings a path could reach from here; quick."""

@@ -14,10 +14,9 @@ import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
-from ..growth.spiral import between
 from ..model import Floats
 from ..numerics.filters import dilated
-from ..shapes.points import distances_along, three_point_curvature
+from ..shapes.points import three_point_curvature
 from .cleared import ClearedMap
 from .ground import COARSE, Ground
 
@@ -34,10 +33,6 @@ DETOUR, SHORTER = 2.0, 0.7
 HOPE = 3
 #: How far the loops go that turn round, over R.
 TURNS = (0.5, 1.0)
-#: What is nearer than this to the slot that the entry cut is on it [mm].
-ON_RING = 0.1
-#: Beside that slot a way draws near to it over so many times its distance.
-DRAW = 15.0
 
 
 class LongWays:
@@ -190,62 +185,6 @@ class LongWays:
             curve = clamped_spline(controls, max(193, int(length / FINE)))
             if self._cleared.are_free(curve) and self._fence.covers(LineString(curve)):
                 yield curve
-
-
-def back_along_ring(
-    start: Floats, ends: Floats, cleared: ClearedMap, fence: Polygon
-) -> tuple[Floats, int] | None:
-    """Return the shortest way over the slot that the entry cut, and the index of its end.
-
-    None if it leads to no end. The cutter stops and turns where it leaves and where it arrives:
-    from the end of an arm hardly wider than itself there is no other way back but to lift.
-
-    Parameters
-    ----------
-    start : ndarray of shape (2,)
-        [mm]
-    ends : ndarray of shape (n, 2)
-        [mm]
-    cleared : ClearedMap
-    fence : shapely.Polygon
-        Is not left.
-    """
-    ring = cleared.ring
-    if ring is None or shapely.distance(ring, shapely.points(start)) > ON_RING:
-        return None
-    near = np.flatnonzero(shapely.distance(ring, shapely.points(ends)) <= ON_RING)
-    begin = float(shapely.line_locate_point(ring, shapely.points(start)))
-    places = shapely.line_locate_point(ring, shapely.points(ends[near]))
-    onwards = (places - begin) % ring.length
-    lengths = np.minimum(onwards, ring.length - onwards)
-    for i in np.argsort(lengths, kind="stable").tolist():
-        end = ends[near[i]]
-        if lengths[i] < ON_RING:  # straight across, for both are beside one place
-            line = LineString([start, end])
-        elif onwards[i] < ring.length / 2:
-            line = LineString(between(ring, begin, float(onwards[i])))
-        else:
-            line = LineString(between(ring, float(places[i]), float(lengths[i]))[::-1])
-        # the time of a link is told from its points
-        way = _from_and_to(shapely.get_coordinates(shapely.segmentize(line, CHORD)), start, end)
-        if fence.covers(LineString(way)):
-            return way, int(near[i])
-    return None
-
-
-def _from_and_to(way: Floats, start: Floats, end: Floats) -> Floats:
-    """Return a way from a place beside its first point to one beside its last.
-
-    A step aside would be two corners, so it draws near bit by bit.
-    """
-    along = distances_along(way)
-    for place, at, off in ((start, 0, along), (end, -1, along[-1] - along)):
-        aside = place - way[at]
-        drawn = off / max(min(DRAW * float(np.hypot(*aside)), along[-1] / 2), 1e-9)
-        drawn = np.clip(drawn, 0.0, 1.0)
-        way = way + (1 - drawn**2 * (3 - 2 * drawn))[:, None] * aside
-    way[0], way[-1] = start, end
-    return way
 
 
 def _turns(heading: Floats, radius: float) -> list[Floats]:
