@@ -67,7 +67,8 @@ def add_spiral_pocket(
         A CAM job of an open document.
     base : iterable of (model, names)
         The floors of the pockets: the part as the job refers to it or the original that was
-        given to the job, and the name or names of faces, such as ``["Face12", "Face15"]``.
+        given to the job, of a body its tip too, and the name or names of faces, such as
+        ``["Face12", "Face15"]``.
     tool_controller : object, optional
         One of the job's; without it that of the last operation, else the job's first.
     **values
@@ -242,14 +243,27 @@ def _links(
             raise SelectionError(*_NO_FLOORS)
         if not hasattr(model, "Shape"):
             raise SelectionError(*_no_part(model))
-        if model.Name not in own:
-            raise SelectionError(
-                f"{model.Label} is not part of {job.Label}.", "Add it to the job's model first."
-            )
-        links.append((own[model.Name], tuple(names)))
+        links.append((_own_copy(job, model, own), tuple(names)))
     if not any(names for _, names in links):
         raise SelectionError("No face is selected.", "Name the floor of at least one pocket.")
     return links
+
+
+def _own_copy(job: Any, model: Any, own: dict[str, Any]) -> Any:
+    """Return the job's copy of a part, also where the tip of that, the last feature, is given.
+
+    A body's faces are those of its tip.
+    """
+    if model.Name in own:
+        return own[model.Name]
+    whole = model.getParentGeoFeatureGroup()
+    if whole is None or whole.Name not in own:
+        hint = "Add it to the job's model first."
+    elif getattr(whole, "Tip", None) == model:
+        return own[whole.Name]
+    else:
+        hint = f"Give {whole.Label} with the names that its faces have there."
+    raise SelectionError(f"{model.Label} is not part of {job.Label}.", hint)
 
 
 def _no_part(model: Any) -> tuple[str, str]:

@@ -47,6 +47,22 @@ def test_the_original_part_and_the_jobs_copy_mean_the_same(doc):
     assert gcode(first) == gcode(second)
 
 
+def test_the_tip_of_a_body_means_the_body(doc):
+    body = doc.addObject("PartDesign::Body", "Body")
+    body.BaseFeature = add_part(doc, block(area(rectangle(24, 18, 4))))
+    doc.recompute()
+    foot = body.newObject("PartDesign::AdditiveBox", "Foot")
+    foot.Placement.Base = Vector(0, 0, -DEPTH - 8)
+    doc.recompute()
+    assert body.Tip == foot
+    job, floor = add_job(doc, body), faces_at(foot.Shape, -DEPTH)
+    made = api.add_spiral_pocket(job, [(foot, floor)], **QUICK)
+    assert made.Base[0][0] is job.Model.Group[0]
+    before = next(o for o in body.Group if o != foot)
+    with pytest.raises(SelectionError, match=f"Give {body.Label} with the names"):
+        api.add_spiral_pocket(job, [(before, floor)], **QUICK)
+
+
 def test_values_are_numbers_or_texts_with_units(doc):
     job, part, face = small_job(doc)
     made = api.add_spiral_pocket(
