@@ -20,6 +20,7 @@ from dataclasses import replace
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely import Polygon
 
 from ..model import Floats
@@ -50,6 +51,10 @@ from .walls import are_near_walls
 REACH, EVEN = 0.8, 0.9
 #: A step goes beyond the step-over only where it is concave so far to both sides, over R.
 FAR = 3.0
+#: Where a stroke leaves a wall it turns into the stock, and is engaged most on the way. There its
+#: step is less by this times the square of the step-over over R; so far from the wall, over R, it
+#: is whole again, from so much nearer on bit by bit.
+LEAVING, WHOLE, TAPER = 0.3, 2.8, 1.5
 #: Distance of samples along a front, and width of the smoothing under which its bends are taken,
 #: over R or over the width of a slim one.
 SPACING, SOFT = 0.12, 0.4
@@ -118,10 +123,21 @@ def _stepped_ring(
     curvature = np.maximum(convex, 0.0) + concave
     curvature = evened(curvature, EVEN * rules.cutter_radius / spacing, closed=True)
     step = np.where(on_wall, 0.0, engagement_step(curvature, rules))
+    if on_wall.any() and not on_wall.all():
+        off = _since_wall(on_wall) * spacing / rules.cutter_radius
+        less = LEAVING * (rules.stepover / rules.cutter_radius) ** 2
+        step *= 1 - less * np.clip((WHOLE - off) / TAPER, 0.0, 1.0)
     normal = np.column_stack([tangent[:, 1], -tangent[:, 0]]) / speed[:, None]
     moved = points + step[:, None] * normal
     moved = simplified(np.vstack([moved, moved[:1]]), STRAIGHT)[:-1]
     return moved, float(step[~on_wall].min(initial=rules.stepover))
+
+
+def _since_wall(on_wall: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Return how many samples of a ring ago, at each, the last one was that is on a wall."""
+    twice = np.arange(2 * len(on_wall))
+    last = np.maximum.accumulate(np.where(np.tile(on_wall, 2), twice, 0))
+    return (twice - last)[len(on_wall) :]
 
 
 def advance(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon:
