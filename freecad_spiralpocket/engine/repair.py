@@ -5,7 +5,7 @@ The proof judges the emitted moves and tells which of them run through stock. Fi
 every link among these becomes a cut at both ends, if all that it does is to touch the
 edge of the stock, or else a lift over the safe height: neither needs new laps. What then
 still is wrong, a gouge, a rapid or link through stock, ground left standing, lies in some
-room; its path is planned again, with a smaller step-over, then by another strategy. Each
+room; its path is planned again, with a smaller step-over, then by other strategies. Each
 change is proved as a whole and kept only if it is better.
 
 Repair decides nothing by itself that the proof does not see, and never hides: what is
@@ -29,15 +29,16 @@ from .proof.findings import TOLD_UNCUT, TOUCH
 from .rendering import Cut
 from .toolpath import Role, Toolpath
 
-#: A path is proved so many times more at most.
-ROUNDS = 5
-#: Shares of the step-over with which a room is planned again, in this order; then by the other
-#: strategy.
+#: A path is proved so many times more at most, and if it would be refused, so many.
+ROUNDS, LAST_ROUNDS = 5, 9
+#: Shares of the step-over with which a room is planned again, in this order; then by other
+#: strategies, by these instead of *Automatic*: the first refuses islands.
 STEPOVERS = (0.93, 0.8, 0.64)
-#: Ground left is the same where it differs by no more than this share: no step-over is its cause.
+OTHERS = (Strategy.LINEAR_MORPH, Strategy.EXTENDED_ARCHIMEDEAN)
+#: What is wrong is the same where it differs by no more than this share: no step-over is its cause.
 SAME = 0.05
-#: Links that touch stock over no more than this become cuts over so much at both ends, over R:
-#: they begin and end at its very edge.
+#: Links that touch stock over no more than this each, in the mean, become cuts over so much at both
+#: ends, over R: they begin and end at its very edge.
 LEAD = 0.5
 #: A gouge below the tolerance and this is none [mm], nor one below it and this share of it.
 GOUGE_SLACK, GOUGE_SHARE = 0.005, 0.5
@@ -85,8 +86,9 @@ def repaired(
     """
     best, repair = proved, _Repair(request, plan_again)
     latest = best
-    for _ in range(ROUNDS):
-        if not any(badness(best, request)):
+    for round_ in range(LAST_ROUNDS):
+        gouge, hit, left = badness(best, request)
+        if not (gouge or hit or (left and round_ < ROUNDS)):
             break
         cuts = repair.relinked(latest)
         is_relinked = cuts is not None
@@ -95,7 +97,7 @@ def repaired(
         if cuts is None:
             break
         tried = prove_cuts(cuts)
-        if not is_relinked and _leaves_the_same(tried, best, request):
+        if not is_relinked and _is_as_bad(tried, best, request):
             repair.leave_stepovers()
         if badness(tried, request) < badness(best, request):
             best = tried
@@ -121,15 +123,16 @@ def badness(proved: Proved, request: PocketRequest) -> tuple[float, float, float
 def other_settings(request: PocketRequest) -> list[PocketRequest]:
     """Return the requests by which a room is planned again, in this order."""
     cutting = request.cutting
-    other, stepover = Strategy.AUTOMATIC, cutting.stepover
+    stepover = cutting.stepover
+    others: tuple[Strategy, ...] = (Strategy.AUTOMATIC,)
     if request.strategy is Strategy.AUTOMATIC:  # no lap of its own is wider
-        other, stepover = Strategy.LINEAR_MORPH, min(stepover, MEETING * request.cutter_radius)
+        others, stepover = OTHERS, min(stepover, MEETING * request.cutter_radius)
     return [
         *(
             replace(request, cutting=replace(cutting, stepover=share * stepover))
             for share in STEPOVERS
         ),
-        replace(request, strategy=other),
+        *(replace(request, strategy=other) for other in others),
     ]
 
 
@@ -145,8 +148,9 @@ class _Repair:
     def relinked(self, proved: Proved) -> list[Cut] | None:
         """Return cuts with other links where these run through stock; None without any new."""
         lead = LEAD * self._request.cutter_radius
+        links = sum(_is_link(proved.cuts[cut].path, part) for cut, part in proved.hits)
         cuts = None
-        if proved.report.link_hit <= lead:
+        if proved.report.link_hit <= lead * links:
             cuts = self._relinked(proved, self._led, partial(with_leads, length=lead))
         return cuts or self._relinked(proved, self._lifted, with_lifts)
 
@@ -231,14 +235,17 @@ def _sick(proved: Proved, request: PocketRequest) -> list[Cut]:
     return []
 
 
-def _leaves_the_same(tried: Proved, before: Proved, request: PocketRequest) -> bool:
-    """Return whether a path leaves the ground that another one leaves, all that is wrong with it.
+def _is_as_bad(tried: Proved, before: Proved, request: PocketRequest) -> bool:
+    """Return whether a path leaves as much ground as another one, or runs through as much stock.
 
-    A shallow notch or the tip of a wedge stays at any step-over.
+    A shallow notch or the tip of a wedge stays at any step-over, and so does stock where the cutter
+    goes down.
     """
-    gouge, hit, left = badness(before, request)
-    still = _left(tried.report, request) if tried.complete else 0.0
-    return not gouge and not hit and left > 0 and abs(still - left) <= SAME * left
+    gouge, *before_it = badness(before, request)
+    return not gouge and all(
+        abs(now - then) <= SAME * then
+        for now, then in zip(badness(tried, request)[1:], before_it, strict=True)
+    )
 
 
 def _left(report: Report, request: PocketRequest) -> float:

@@ -172,6 +172,18 @@ def test_hub_whose_wall_the_ring_meets_nowhere_is_led_onto_from_the_ring():
     assert report.uncut_area < 0.01
 
 
+@pytest.mark.parametrize("hub", [5.16, 5.2])
+def test_strokes_round_a_hub_that_the_ring_just_touches_begin_where_it_was(hub):
+    turns = 2 * math.pi / 7 * np.arange(7)
+    pins = [Point(18.3 * math.cos(t), 18.3 * math.sin(t)).buffer(2.3) for t in turns]
+    islands = shapely.union_all([Point(0, 0).buffer(hub, quad_segs=32), *pins])
+    pocket = box(-40, -34, 40, 34).buffer(-9).buffer(9).difference(islands)
+    report = automatic(pocket).report
+    assert report.link_hit <= TOUCH and report.rapid_hit == 0
+    assert report.uncut_area < 0.01 and report.gouge <= 0.01
+    assert not any("failed its proof" in notice.message for notice in report.notices)
+
+
 @pytest.mark.parametrize("angle", [0.0, 37.0])
 @pytest.mark.parametrize("teeth", [10, 16])
 def test_notches_of_an_island_are_cut_as_gently_as_the_rest(teeth, angle):

@@ -16,6 +16,7 @@ from freecad_spiralpocket.engine.floor import FloorPath, Pass
 from freecad_spiralpocket.engine.laps import linear_morph
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Strategy
 from freecad_spiralpocket.engine.repair import (
+    OTHERS,
     STEPOVERS,
     Proved,
     badness,
@@ -95,9 +96,10 @@ def only_if_as_asked(faulty):
 def use(monkeypatch):
     """Return a function that plans the square by a strategy in Automatic's place."""
 
-    def plan_by(strategy, other=sound, **changes):
+    def plan_by(strategy, other=sound, last=None, **changes):
         monkeypatch.setitem(planner._STRATEGIES, Strategy.AUTOMATIC, strategy)
         monkeypatch.setitem(planner._STRATEGIES, Strategy.LINEAR_MORPH, other)
+        monkeypatch.setitem(planner._STRATEGIES, Strategy.EXTENDED_ARCHIMEDEAN, last or other)
         return plan(request_of(SQUARE, strategy=Strategy.AUTOMATIC, **changes))
 
     return plan_by
@@ -198,6 +200,14 @@ def test_what_a_smaller_stepover_leaves_as_it_was_goes_to_the_other_strategy_at_
     assert planned == [STEPOVER, pytest.approx(STEPOVERS[0] * STEPOVER)]
 
 
+@pytest.mark.parametrize("faulty", [gouges, begins_with(Pass(FAR, Role.LINK)), leaves_an_edge])
+def test_what_the_other_strategy_refuses_goes_to_the_last(use, faulty):
+    made = use(faulty, other=refuses, last=sound)
+    assert made.report.uncut_area < 0.01
+    (told,) = [n for n in made.report.notices if "failed its proof" in n.message]
+    assert "by Extended Archimedean instead of Automatic" in told.message
+
+
 def test_ground_that_stays_is_told_with_place_and_area(use):
     made = use(leaves_half, other=leaves_half)
     assert made.report.uncut_area > 100
@@ -245,11 +255,13 @@ def test_ground_in_a_room_without_a_path_is_no_fault(use, monkeypatch):
     assert made.report.uncut_area > 100 and len(proofs) == 1
 
 
-def test_the_other_strategy_comes_last():
+def test_other_strategies_come_last():
     asked = request_of(SQUARE, strategy=Strategy.LINEAR_MORPH)
     tried = other_settings(asked)
     assert [t.cutting.stepover for t in tried] == pytest.approx([2.232, 1.92, 1.536, 2.4])
     assert [t.strategy for t in tried][-1] is Strategy.AUTOMATIC
+    tried = other_settings(request_of(SQUARE, strategy=Strategy.AUTOMATIC))
+    assert tuple(t.strategy for t in tried[3:]) == OTHERS
 
 
 @pytest.mark.parametrize("share", [0.5, 0.9])

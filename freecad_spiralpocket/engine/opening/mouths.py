@@ -14,6 +14,7 @@ from shapely import LineString, Polygon
 from ..growth.spiral import between, eased
 from ..model import Floats
 from ..shapes.points import distances_along
+from ..shapes.polyline import located, points_at
 from ..shapes.region import polygons_of
 from ..shapes.shaping import CRACK, Region
 from .start import Start
@@ -58,8 +59,38 @@ def mouths_of(start: Start, region: Polygon, radius: float) -> list[Floats]:
                     mouths.append(_led_onto(line, start.ring, LEAD * radius))
                     continue
                 begin = line.project(shapely.Point(part.coords[0]))
-                mouths.append(between(line, begin - overrun, part.length + 2 * overrun))
+                along = between(line, begin, part.length)
+                lead = _overrun(line, begin, start.ring, -overrun)
+                rest = _overrun(line, begin + part.length, start.ring, overrun)
+                mouths.append(np.vstack([lead[:-1], along, rest[1:]]))
     return mouths
+
+
+def _overrun(wall: LineString, at: float, ring: LineString, length: float) -> Floats:
+    """Return the way on from a place along a wall, or the way to there if `length` is negative.
+
+    Shape (n, 2) [mm]; along the wall, or where the ring only touches that, along the ring: beyond
+    stands what another stroke cuts.
+    """
+    way = between(wall, min(at, at + length), abs(length))
+    if shapely.distance(ring, shapely.points(way)).max() < 2 * PASSED_BY[0]:
+        return way
+    place = points_at(wall, np.array([at % wall.length]))[0]
+    there = ring.project(shapely.Point(place))
+    ahead = way[-1] - way[-2] if length < 0 else way[1] - way[0]
+    near = points_at(ring, (there + np.array([-0.1, 0.1])) % ring.length)
+    with_it = bool((near[1] - near[0]) @ ahead > 0)
+    # as far behind or ahead on the ring as the wall goes on
+    onward = length if with_it else -length
+    way = between(ring, min(there, there + onward), abs(length))
+    way = shapely.get_coordinates(shapely.segmentize(LineString(way), abs(length) / 10))
+    way = way if with_it else way[::-1]
+    joint = -1 if length < 0 else 0
+    off = np.abs(distances_along(way) - distances_along(way)[joint]) / abs(length)
+    way = way + (1 - eased(np.minimum(off, 1.0)))[:, None] * (place - way[joint])
+    within = shapely.contains_xy(Polygon(wall), way)
+    way[within] = points_at(wall, located(wall, way[within]))
+    return way
 
 
 def _led_onto(wall: LineString, ring: LineString, lead: float) -> Floats:
