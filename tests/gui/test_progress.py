@@ -25,8 +25,9 @@ from freecad_spiralpocket.gui.planning import lane, lanes, workers
 from freecad_spiralpocket.gui.planning.progress import progress_dialog
 
 NAME = "SpiralPocketProgress"
-#: So small a step-over that the plate's pocket takes seconds, in percent.
-LONG = 2
+#: So small a step-over that a stage of the plate's pocket goes on for long after the dialog is up,
+#: in percent.
+LONG = {"Laying": 1, "Planning feeds": 2}
 
 
 class Stop:
@@ -73,7 +74,7 @@ def test_stop_leaves_an_empty_path_and_the_panel_open(job, floor, worker, stage)
     press(APPLY)
     (operation,) = job.Operations.Group
     assert len(operation.Path.Commands) > 50
-    widget("stepOverPercent").setValue(LONG)
+    widget("stepOverPercent").setValue(LONG[stage])
     stop = Stop(stage)
     with answered() as answer:
         press(APPLY)
@@ -97,7 +98,7 @@ def test_stop_is_told_and_the_next_value_planned(job, floor, worker):
     press(APPLY)
     page, (operation,) = panel().operation_page, job.Operations.Group
     wait_for(lambda: page.outlook.is_settled)
-    widget("stepOverPercent").setValue(LONG)
+    widget("stepOverPercent").setValue(LONG["Laying"])
     stop = Stop("Laying")
     press(OK)
     assert stop.label and is_panel_open()
@@ -116,7 +117,7 @@ def test_ok_after_stop_plans_the_same_again(job, floor, worker):
     select(floor)
     press_toolbar_button()
     (operation,) = job.Operations.Group
-    widget("stepOverPercent").setValue(LONG)
+    widget("stepOverPercent").setValue(LONG["Laying"])
     for _ in range(2):
         stop = Stop("Laying")
         press(OK)
@@ -133,7 +134,7 @@ def test_cancel_after_stop_leaves_the_path_as_before(job, floor, worker):
     (operation,) = job.Operations.Group
     before, plans = operation.Path.toGCode(), operation.Proxy.plans
     edit(operation)
-    widget("stepOverPercent").setValue(LONG)
+    widget("stepOverPercent").setValue(LONG["Laying"])
     stop = Stop("Laying")
     press(APPLY)
     assert stop.label and operation.Path.Length == 0
