@@ -2,6 +2,7 @@
 """Long work shows a dialog whose Stop leaves an empty path, never a stale one."""
 
 import pytest
+from conftest import add_job, plate
 from PySide import QtCore, QtGui
 from window import (
     APPLY,
@@ -28,6 +29,12 @@ NAME = "SpiralPocketProgress"
 #: So small a step-over that a stage of the plate's pocket goes on for long after the dialog is up,
 #: in percent.
 LONG = {"Laying": 1, "Planning feeds": 2}
+
+
+@pytest.fixture
+def job(doc):
+    """Return a job for the plate with a 4 mm end mill, whose laps take longer to lay."""
+    return add_job(doc, plate(), diameter=4.0)
 
 
 class Stop:
