@@ -17,7 +17,7 @@ from shapely import LineString, Polygon
 from shapely.ops import substring
 
 from ..model import Floats
-from ..shapes.points import distances_along
+from ..shapes.drawing_near import drawn_to
 
 #: Radius of the arc that leaves the wall, over R; halved until it fits.
 LEAVE_RADIUS = 0.3
@@ -69,8 +69,7 @@ def leave_wall(lap: Floats, region: Polygon, cutter_radius: float) -> Floats:
 def come_to_wall(lap: Floats, here: Floats, region: Polygon, cutter_radius: float) -> Floats:
     """Return a lap along a wall that begins beside it: it comes to the wall bit by bit.
 
-    A step aside would be two corners, at each of which the cutter stops at the finished wall. The
-    lap runs on as far as it took to come there.
+    The lap runs on as far as it took to come there.
 
     Parameters
     ----------
@@ -83,9 +82,8 @@ def come_to_wall(lap: Floats, here: Floats, region: Polygon, cutter_radius: floa
     cutter_radius : float
         R [mm].
     """
-    aside = here - lap[0]
     line = LineString(lap)
-    if np.hypot(*aside) < ON_WALL or line.length < 2 * cutter_radius:
+    if np.hypot(*(here - lap[0])) < ON_WALL or line.length < 2 * cutter_radius:
         return lap
     fence = region.buffer(ON_WALL)
     for halving in range(COME_HALVINGS):
@@ -93,9 +91,7 @@ def come_to_wall(lap: Floats, here: Floats, region: Polygon, cutter_radius: floa
         first = shapely.get_coordinates(
             shapely.segmentize(substring(line, 0.0, length), length / COME_CHORDS)
         )
-        along = distances_along(first) / length
-        off = 1 - along * along * (3 - 2 * along)
-        way = first + off[:, None] * aside
+        way = drawn_to(first, here, length)
         if fence.covers(LineString(way)):
             rest = shapely.get_coordinates(substring(line, length, line.length))
             return np.vstack([way, rest[1:], first[1:]])

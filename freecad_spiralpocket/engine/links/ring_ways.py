@@ -12,6 +12,7 @@ from shapely import LineString, Polygon
 
 from ..growth.spiral import between
 from ..model import Floats
+from ..shapes.drawing_near import drawn_to
 from ..shapes.points import distances_along
 from ..shapes.polyline import points_at
 from .cleared import ClearedMap
@@ -139,15 +140,9 @@ def _tangents(ring: LineString, places: Floats) -> Floats:
 
 
 def _from_and_to(way: Floats, start: Floats, end: Floats) -> Floats:
-    """Return a way from a place beside its first point to one beside its last.
-
-    A step aside would be two corners, so it draws near bit by bit.
-    """
-    along = distances_along(way)
-    for place, at, off in ((start, 0, along), (end, -1, along[-1] - along)):
-        aside = place - way[at]
-        drawn = off / max(min(DRAW * float(np.hypot(*aside)), along[-1] / 2), 1e-9)
-        drawn = np.clip(drawn, 0.0, 1.0)
-        way = way + (1 - drawn**2 * (3 - 2 * drawn))[:, None] * aside
-    way[0], way[-1] = start, end
+    """Return a way from a place beside its first point to one beside its last."""
+    half = float(distances_along(way)[-1]) / 2
+    for place, at_end in ((start, False), (end, True)):
+        aside = float(np.hypot(*(place - way[-1 if at_end else 0])))
+        way = drawn_to(way, place, min(DRAW * aside, half), at_end=at_end)
     return way

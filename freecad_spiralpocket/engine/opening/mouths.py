@@ -11,9 +11,9 @@ import shapely.ops
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
-from ..growth.spiral import between, eased
+from ..growth.spiral import between
 from ..model import Floats
-from ..shapes.points import distances_along
+from ..shapes.drawing_near import drawn_to
 from ..shapes.polyline import located, points_at
 from ..shapes.region import polygons_of
 from ..shapes.shaping import CRACK, Region
@@ -85,12 +85,7 @@ def _overrun(wall: LineString, at: float, ring: LineString, length: float) -> Fl
     way = between(ring, min(there, there + onward), abs(length))
     way = shapely.get_coordinates(shapely.segmentize(LineString(way), abs(length) / 10))
     way = way if with_it else way[::-1]
-    joint = -1 if length < 0 else 0
-    off = np.abs(distances_along(way) - distances_along(way)[joint]) / abs(length)
-    way = way + (1 - eased(np.minimum(off, 1.0)))[:, None] * (place - way[joint])
-    within = shapely.contains_xy(Polygon(wall), way)
-    way[within] = points_at(wall, located(wall, way[within]))
-    return way
+    return _out_of(wall, drawn_to(way, place, abs(length), at_end=length < 0))
 
 
 def _led_onto(wall: LineString, ring: LineString, lead: float) -> Floats:
@@ -101,11 +96,14 @@ def _led_onto(wall: LineString, ring: LineString, lead: float) -> Floats:
     near = np.array(shapely.shortest_line(wall, ring).coords)
     points = between(wall, wall.project(shapely.Point(near[0])), wall.length + lead)
     points = shapely.get_coordinates(shapely.segmentize(LineString(points), lead / 20))
-    ahead = np.gradient(points, axis=0)
-    aside = np.column_stack([-ahead[:, 1], ahead[:, 0]]) / np.hypot(*ahead.T)[:, None]
-    off = float(aside[0] @ (near[1] - near[0]))
-    still = 1 - eased(np.minimum(distances_along(points) / lead, 1.0))
-    return points + (off * still)[:, None] * aside
+    return _out_of(wall, drawn_to(points, near[1], lead))
+
+
+def _out_of(wall: LineString, way: Floats) -> Floats:
+    """Return a way with what is within an island's closed wall moved onto that."""
+    within = shapely.contains_xy(Polygon(wall), way)
+    way[within] = points_at(wall, located(wall, way[within]))
+    return way
 
 
 def _parts_outside(line: LineString, ground: Region) -> NDArray[np.object_]:

@@ -17,9 +17,9 @@ from shapely import Point
 from ..floor import Descent, Slot, Stairs
 from ..model import Floats, PocketRequest
 from ..numerics.distinct import distinct
+from ..shapes.drawing_near import s_curve
 from ..shapes.points import distances_along
 from ..shapes.polyline import closed_line, points_at
-from .stair_profile import s_curve
 
 #: A way from one line of stairs to the next, over how far that is.
 ASIDE = 2.5

@@ -21,6 +21,7 @@ from ..growth.front_rules import FrontRules, engagement_step
 from ..model import Floats
 from ..numerics.distinct import distinct
 from ..numerics.filters import evened, lowest
+from ..shapes.drawing_near import s_curve
 from ..shapes.points import distances_along
 from ..shapes.polyline import points_at
 from ..shapes.shaping import CRACK, Region, opening_of, thick_parts
@@ -144,12 +145,6 @@ def profile_of(
     even = round(EVEN * radius * count / wall.length)
     share = evened(lowest(share, 2 * even + 1, closed=True), even / 2, closed=True)
     return Profile(wall, s, share, np.minimum(after, before), radius)
-
-
-def s_curve(u: Floats) -> Floats:
-    """Return what rises from 0 to 1 with `u` along a cubic, level at both ends."""
-    u = np.clip(u, 0.0, 1.0)
-    return u * u * (3 - 2 * u)
 
 
 def _inwards(line: LineString, at: Floats, half: float) -> Floats:
