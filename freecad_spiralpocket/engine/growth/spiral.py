@@ -50,6 +50,8 @@ SAMPLING = 0.2
 CRUMB, RUN_ON = 1e-4, 0.3
 #: Where that is not enough so much more of the path is looked at, over R.
 FURTHER = 0.1
+#: Where all of a path is looked at, points are left out that matter less [mm].
+STRAIGHT = 0.0002
 #: Share of the zone over which that angle builds up, and dies away.
 EASE = 0.2
 
@@ -286,7 +288,7 @@ def without_air(points: Floats, stock: Region, reach: float) -> Floats | None:
     earliest = earliest[earliest < len(points)]
     first, needed = int(earliest.min()), int(earliest.max()) + 1
     # between the samples a little may stand yet
-    rest = LineString(points[first:])
+    rest = shapely.simplify(LineString(points[first:]), STRAIGHT, preserve_topology=False)
     if shapely.difference(stock, shapely.buffer(rest, reach, quad_segs=32)).area >= CRUMB:
         return None
     along = distances_along(points)

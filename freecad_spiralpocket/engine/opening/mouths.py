@@ -44,25 +44,25 @@ def mouths_of(start: Start, region: Polygon, radius: float) -> list[Floats]:
     radius : float
         The cutter's [mm].
     """
+    walls = [LineString(w.coords) for w in region.interiors if start.omega.contains(w)]
+    if not walls:
+        return []
     near, nearer = (shapely.buffer(start.ring, off) for off in PASSED_BY)
     overrun = OVERRUN * radius
     mouths = []
-    for wall in region.interiors:
-        if start.omega.contains(wall):
-            line = LineString(wall.coords)
-            parts = _parts_outside(line, near)
-            shallow = _parts_outside(line, nearer)
-            if len(parts):
-                shallow = shallow[~shapely.dwithin(shallow, shapely.union_all(parts), CRACK)]
-            for part in (*parts, *shallow):
-                if part.is_closed:  # the ring meets the wall nowhere
-                    mouths.append(_led_onto(line, start.ring, LEAD * radius))
-                    continue
-                begin = line.project(shapely.Point(part.coords[0]))
-                along = between(line, begin, part.length)
-                lead = _overrun(line, begin, start.ring, -overrun)
-                rest = _overrun(line, begin + part.length, start.ring, overrun)
-                mouths.append(np.vstack([lead[:-1], along, rest[1:]]))
+    for wall in walls:
+        parts, shallow = _parts_outside(wall, near), _parts_outside(wall, nearer)
+        if len(parts):
+            shallow = shallow[~shapely.dwithin(shallow, shapely.union_all(parts), CRACK)]
+        for part in (*parts, *shallow):
+            if part.is_closed:  # the ring meets the wall nowhere
+                mouths.append(_led_onto(wall, start.ring, LEAD * radius))
+                continue
+            begin = wall.project(shapely.Point(part.coords[0]))
+            along = between(wall, begin, part.length)
+            lead = _overrun(wall, begin, start.ring, -overrun)
+            rest = _overrun(wall, begin + part.length, start.ring, overrun)
+            mouths.append(np.vstack([lead[:-1], along, rest[1:]]))
     return mouths
 
 

@@ -106,8 +106,9 @@ def leaves_crumbs(stairs: Stairs, first: Sequence[Stroke], radius: float) -> boo
     wall = Polygon(stairs.lines[-1])
     steps = shapely.difference(wall, Polygon(stairs.inner))
     laps = [closed_line(s.points) if s.closed else LineString(s.points) for s in first]
-    steps = shapely.simplify(steps, CRACK / 4)
-    lines = shapely.simplify(shapely.multilinestrings([wall.exterior, *laps]), CRACK / 4)
+    lines = shapely.multilinestrings([wall.exterior, *laps])
+    # a tenth of the time of seeing to it that no edges come to cross, which growing heals
+    steps, lines = shapely.simplify([steps, lines], CRACK / 4, preserve_topology=False)
     swept = shapely.buffer(lines, radius + CRACK)
     return bool(shapely.difference(shapely.buffer(steps, radius), swept).area > CRUMB * radius**2)
 
