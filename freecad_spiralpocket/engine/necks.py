@@ -32,6 +32,8 @@ APART, LARGE = 0.3, 0.1
 NEAR = 0.01
 #: Halvings in the search for a neck's width.
 HALVINGS = 12
+#: Gaps narrower than this, over the diameter of the cutter, are as good as closed.
+CLOSED = 0.1
 #: More parts than this that the cutter cannot enter are told together.
 TOLD_ONE_BY_ONE = 3
 
@@ -74,7 +76,7 @@ def unreachable_notices(
                 f"The {cutter:g} mm cutter does not fit {len(parts)} necks, up to "
                 f"{_mm(widest.width)} mm wide, the widest at {{at}}; these parts "
                 f"({told_area(sum(part.area for part in parts))} mm2) stay uncut.",
-                f"A cutter below {_mm(min(part.width for part in parts))} mm reaches all of them.",
+                _advice([part.width for part in parts], cutter),
                 widest.place,
             ),
         )
@@ -82,11 +84,23 @@ def unreachable_notices(
         Notice(
             f"The {cutter:g} mm cutter does not fit the {_mm(part.width)} mm neck at {{at}}; that "
             f"part ({told_area(part.area)} mm2) stays uncut.",
-            f"A cutter below {_mm(part.width)} mm reaches it.",
+            _advice([part.width], cutter),
             part.place,
         )
         for part in parts
     )
+
+
+def _advice(widths: Sequence[float], cutter: float) -> str:
+    """Return what cutter reaches parts with ways in so wide, if there is one in the shop."""
+    open_ways = [width for width in widths if width >= CLOSED * cutter]
+    if not open_ways:
+        return "No cutter goes through so narrow a gap; check the model."
+    if len(widths) == 1:
+        return f"A cutter below {_mm(open_ways[0])} mm reaches it."
+    if len(open_ways) == len(widths):
+        return f"A cutter below {_mm(min(open_ways))} mm reaches all of them."
+    return f"A cutter below {_mm(min(open_ways))} mm reaches {len(open_ways)} of them."
 
 
 def _part(piece: Polygon, target: Polygon, centers: MultiPolygon, radius: float) -> _Part | None:

@@ -623,6 +623,10 @@
         <translation>Ein Fräser unter {0} mm kommt hin.</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches {1} of them.</source>
+        <translation>Ein Fräser unter {0} mm kommt zu {1} davon.</translation>
+    </message>
+    <message>
         <source>A depth or height is {0}; it must be a number of millimeters.</source>
         <translation>Eine Tiefe oder Höhe ist {0}; sie muss eine Zahl von Millimetern sein.</translation>
     </message>
@@ -877,6 +881,10 @@
     <message>
         <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
         <translation>Diese Operation hinter die mit dem größeren Fräser schieben oder UseRestMachining ausschalten. Nur flache Schaftfräser zählen: runde hinterlassen Rillen.</translation>
+    </message>
+    <message>
+        <source>No cutter goes through so narrow a gap; check the model.</source>
+        <translation>Durch einen so engen Spalt kommt kein Fräser; das Modell prüfen.</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>

@@ -623,6 +623,10 @@
         <translation>Una fresa de menos de {0} mm llega.</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches {1} of them.</source>
+        <translation>Una fresa de menos de {0} mm llega a {1} de ellas.</translation>
+    </message>
+    <message>
         <source>A depth or height is {0}; it must be a number of millimeters.</source>
         <translation>Una profundidad o altura es {0}; debe ser un número de milímetros.</translation>
     </message>
@@ -877,6 +881,10 @@
     <message>
         <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
         <translation>Mueva esta operación detrás de la de la fresa mayor, o desactive UseRestMachining. Solo cuentan las fresas planas: las redondas dejan crestas.</translation>
+    </message>
+    <message>
+        <source>No cutter goes through so narrow a gap; check the model.</source>
+        <translation>Ninguna fresa pasa por un hueco tan estrecho; revise el modelo.</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>

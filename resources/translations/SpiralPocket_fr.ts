@@ -623,6 +623,10 @@
         <translation>Une fraise de moins de {0} mm y accède.</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches {1} of them.</source>
+        <translation>Une fraise de moins de {0} mm accède à {1} d'entre elles.</translation>
+    </message>
+    <message>
         <source>A depth or height is {0}; it must be a number of millimeters.</source>
         <translation>Une profondeur ou une hauteur vaut {0} ; ce doit être un nombre de millimètres.</translation>
     </message>
@@ -877,6 +881,10 @@
     <message>
         <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
         <translation>Placez cette opération après celle de la plus grande fraise, ou désactivez UseRestMachining. Seules comptent les fraises plates : les rondes laissent des crêtes.</translation>
+    </message>
+    <message>
+        <source>No cutter goes through so narrow a gap; check the model.</source>
+        <translation>Aucune fraise ne passe par un espace aussi étroit ; vérifiez le modèle.</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>

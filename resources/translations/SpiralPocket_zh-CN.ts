@@ -623,6 +623,10 @@
         <translation>小于 {0} mm 的刀具可到达。</translation>
     </message>
     <message>
+        <source>A cutter below {0} mm reaches {1} of them.</source>
+        <translation>小于 {0} mm 的刀具可到达其中 {1} 处。</translation>
+    </message>
+    <message>
         <source>A depth or height is {0}; it must be a number of millimeters.</source>
         <translation>某个深度或高度为 {0}；它必须是以毫米计的数值。</translation>
     </message>
@@ -877,6 +881,10 @@
     <message>
         <source>Move this operation behind the one with the larger end mill, or unset UseRestMachining. Only flat end mills count: round ones leave ridges.</source>
         <translation>请将此操作移到使用大刀具的操作之后，或关闭 UseRestMachining。只有平底立铣刀才算数：圆头刀会留下残脊。</translation>
+    </message>
+    <message>
+        <source>No cutter goes through so narrow a gap; check the model.</source>
+        <translation>没有刀具能通过如此窄的缝隙；请检查模型。</translation>
     </message>
     <message>
         <source>No earlier operation has cleared any of this pocket down to its floor; all is cut.</source>

@@ -99,6 +99,19 @@ def test_many_necks_are_told_together(arms, notices):
         assert float(text.split("below ")[1].split()[0]) <= min(widths) + 0.1
 
 
+def test_no_cutter_is_named_for_gaps_that_are_as_good_as_closed():
+    def hint_for(*widths):
+        rooms = [box(30 * i, 0, 30 * i + 20, 20) for i in range(len(widths) + 1)]
+        necks = [box(30 * i + 19, 8, 30 * i + 31, 8 + w) for i, w in enumerate(widths)]
+        pocket = shapely.union_all([*rooms, *necks])
+        (notice,) = unreachable_notices(pocket, center_regions(pocket, 3.0, 0.0), 3.0, 0.0)
+        return notice.hint
+
+    assert hint_for(0.3) == "No cutter goes through so narrow a gap; check the model."
+    assert hint_for(5.0, 0.3, 4.0, 4.4) == "A cutter below 4 mm reaches 3 of them."
+    assert hint_for(5.0, 0.7, 4.0, 4.4) == "A cutter below 0.7 mm reaches all of them."
+
+
 @pytest.mark.parametrize(
     ("width", "length"), [(5.4, 3.6), (5.94, 4.8), (5.94, 5.7), (5.94, 7.2), (5.4, 6), (5.94, 12)]
 )
