@@ -235,6 +235,15 @@ def test_raw_isotherms_are_kept_as_a_choice():
     )
 
 
+@pytest.mark.parametrize("small", [6.25, 6.75, 7.25, 7.5])
+def test_no_lap_lies_in_the_disc_that_opens_it(small):
+    bulge = Point(16, 0).buffer(small).union(box(0, -0.8 * small, 16, 0.8 * small))
+    _, wall = laps_of(Point(0, 0).buffer(12.0).union(bulge))
+    cores = [(lap, core) for lap, inner in pairs(wall) for core in inner if core.entry]
+    assert len(cores) == 2 and all(isinstance(core.entry, Helix) for _, core in cores)
+    assert not any(core.region.contains(lap.region) for lap, core in cores)
+
+
 def entries_of(path: FloorPath) -> list:
     return [path.entry, *(p for p in path.passes if not isinstance(p, Pass))]
 

@@ -237,7 +237,9 @@ def _lap(family: Family, room: Room, tick: Tick, effort: _Effort) -> Lap:
         if isinstance(core.entry, Slot) and core.region is room.region:
             effort.length -= room.region.exterior.length  # the slot is that lap
         effort.spend(_way_down(core, family), room.region.representative_point())
-        return core if core.region is room.region else Lap(room.region, room.level, (core,))
+        # of a summit that is hardly higher than the saddle before it nothing is left
+        is_all = core.region is room.region or core.region.contains(room.region)
+        return core if is_all else Lap(room.region, room.level, (core,))
     rooms, slots = inner_rooms(family, room)
     if len(rooms) + len(slots) > effort.cores:
         raise NotYetError("The plate has several summits.", "", None)
