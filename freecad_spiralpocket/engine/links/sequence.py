@@ -65,9 +65,7 @@ class Links:
         starts = np.concatenate([r.starts[:n] for r, n in zip(runs, counts, strict=True)])
         arriving = np.concatenate([r.headings[:n] for r, n in zip(runs, counts, strict=True)])
         home = np.repeat(np.arange(len(runs)), counts)
-        self._run_of = np.zeros(1 + max(s for r in runs for s in r.strokes), np.intp)
-        for i, run in enumerate(runs):
-            self._run_of[list(run.strokes)] = i
+        self._bit_of = {stroke: 1 << i for i, run in enumerate(runs) for stroke in run.strokes}
         away = np.hypot(*np.moveaxis(starts - ends[:, None], -1, 0))
         distances = np.full((len(ends), len(runs)), np.inf)
         np.minimum.at(distances, (np.arange(len(ends))[:, None], home), away)
@@ -117,7 +115,10 @@ class Links:
 
     def _needs(self, strokes: NDArray[np.int32]) -> int:
         """Return what must be done before strokes are, negative ones being none."""
-        return _bits(set(self._run_of[strokes[strokes >= 0]].tolist()))
+        needs = 0
+        for stroke in set(strokes.tolist()):
+            needs |= self._bit_of.get(stroke, 0)
+        return needs
 
     def _fastest(
         self, seconds: Floats, strokes: NDArray[np.int32], run: int
