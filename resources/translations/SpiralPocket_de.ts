@@ -1131,10 +1131,6 @@
         <translation>Einen kleineren Fräser nehmen; eine Nut, so breit wie der Fräser, ist etwas für FreeCADs Nut-Operation (Slot).</translation>
     </message>
     <message>
-        <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
-        <translation>Eine seitliche Zustellung von {0} %, einen kleineren Fräser oder die Strategie Automatisch nehmen.</translation>
-    </message>
-    <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>Einen breiteren Fräser oder eine größere seitliche Zustellung nehmen.</translation>
     </message>

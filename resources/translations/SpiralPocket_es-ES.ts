@@ -1131,10 +1131,6 @@
         <translation>Use una fresa más pequeña; una ranura tan ancha como la fresa es para la operación Slot de FreeCAD.</translation>
     </message>
     <message>
-        <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
-        <translation>Tome un paso lateral de {0} %, una fresa menor o la estrategia Automático.</translation>
-    </message>
-    <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>Tome una fresa mayor o un paso lateral mayor.</translation>
     </message>

@@ -1131,10 +1131,6 @@
         <translation>Prenez une fraise plus petite ; une rainure aussi large que la fraise relève de l'opération Slot de FreeCAD.</translation>
     </message>
     <message>
-        <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
-        <translation>Prenez un pas latéral de {0} %, une fraise plus petite ou la stratégie Automatique.</translation>
-    </message>
-    <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>Prenez une fraise plus grosse ou un pas plus grand.</translation>
     </message>

@@ -1131,10 +1131,6 @@
         <translation>请选用更小的刀具;与刀具同宽的槽请用 FreeCAD 的 Slot 操作。</translation>
     </message>
     <message>
-        <source>Take a step-over of {0} %, a smaller cutter or the strategy Automatic.</source>
-        <translation>请用 {0} % 的步距、更小的刀具或“自动”策略。</translation>
-    </message>
-    <message>
         <source>Take a wider cutter or a larger step-over.</source>
         <translation>请用更大的刀具或步距。</translation>
     </message>

@@ -11,6 +11,7 @@ is shorter than the laps that it saves.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -20,9 +21,10 @@ from shapely import Polygon
 
 from ..floor import Helix, Slot
 from ..model import Floats
-from ..opening.entry import fit_helix_radius
+from ..opening.entry import NARROWEST, NoRoomForHelixError, fit_helix_radius
 from ..opening.start import slot_bite
 from ..shapes.region import grow, polygons_of, widest_disc
+from ..shapes.shaping import largest
 from .family import Family, Room, distances, points_of
 from .isotherms import isotherms
 from .nested import Lap
@@ -42,6 +44,8 @@ THIN_SLACK = 0.02
 DEEPER = 0.05
 #: Steps of the search for it.
 BISECTIONS = 6
+#: Where there is no room for a helix a slot goes about all that is nearer than this over R.
+IN_SLIT = 0.5
 #: A neck's outline is no longer than this over the distance of its middle.
 LONGEST = 6.0
 #: Slots in necks reach into the rooms by these shares of the step-over, and their ends are rounded
@@ -59,7 +63,13 @@ def core_of(family: Family, room: Room) -> Lap | None:
     free = family.region.boundary.distance(shapely.Point(center))
     reach = min(radius, free) + family.stepover
     if not region.interiors and far <= reach:
-        width = fit_helix_radius(family.region, center, radius, request.entry)
+        try:
+            width = fit_helix_radius(family.region, center, radius, request.entry)
+        except NoRoomForHelixError:
+            core = _core_in_slit(family, room, center)
+            if core.region.exterior.length < 2 * math.pi * NARROWEST * radius:
+                raise
+            return core
         if far <= width + family.stepover:
             return Lap(_disc(center, width), math.nan, (), Helix(center, width))
     if not _is_thin(region, _width(family, region), center):
@@ -69,6 +79,14 @@ def core_of(family: Family, room: Room) -> Lap | None:
     if not region.interiors and not worth:
         return None
     return Lap(region, room.level, (), Slot(ring[:-1], slot_bite(request)))
+
+
+def _core_in_slit(family: Family, room: Room, center: Floats) -> Lap:
+    """Return a core in a place too narrow for a helix: a slot about all that is near by."""
+    disc = _disc(center, IN_SLIT * family.request.cutter_radius)
+    region = largest(shapely.intersection(family.region, disc))
+    ring = np.asarray(region.exterior.coords)
+    return Lap(region, room.level, (), Slot(ring[:-1], slot_bite(family.request)))
 
 
 def _disc(center: Floats, radius: float) -> Polygon:
@@ -150,7 +168,14 @@ def core_share(family: Family, room: Room, share: float, hottest: float) -> floa
     return high
 
 
-def slots_for(family: Family, room: Room, rooms: list[Polygon], must_pay: bool) -> list[Lap]:
+def slots_for(
+    family: Family,
+    room: Room,
+    rooms: list[Polygon],
+    must_pay: bool,
+    *,
+    any_shape: bool = False,
+) -> list[Lap]:
     """Return slots that open all that is out of reach of the rooms; none if they cannot.
 
     In a neck or a finger of even width the isotherms are exponentially far apart; laps would
@@ -164,6 +189,9 @@ def slots_for(family: Family, room: Room, rooms: list[Polygon], must_pay: bool) 
         Inside of it, as the next isotherm leaves them.
     must_pay : bool
         Whether each slot has to be shorter than the laps that it saves.
+    any_shape : bool
+        Whether slots may be longer than necks, or have sharp ends: in a slit hardly wider than the
+        cutter no other fits.
     """
     request, step = family.request, family.stepover
     reached = shapely.buffer(shapely.union_all(rooms), step, quad_segs=8)
@@ -173,9 +201,10 @@ def slots_for(family: Family, room: Room, rooms: list[Polygon], must_pay: bool) 
             continue
         far = distances(points_of(piece), rooms).max()
         # a neck is about twice as long as its middle is far from the rooms; else it is no neck
-        if piece.length > LONGEST * far or (must_pay and not pays(family, far)):
+        is_neck = any_shape or piece.length <= LONGEST * far
+        if not is_neck or (must_pay and not pays(family, far)):
             return []
-        slot = _slot_about(family, room, piece)
+        slot = _slot_about(family, room, piece, (0.0,) if any_shape else ROUNDINGS)
         if slot is None:
             return []
         ring = np.asarray(slot.exterior.coords)[:-1]
@@ -183,7 +212,9 @@ def slots_for(family: Family, room: Room, rooms: list[Polygon], must_pay: bool) 
     return laps
 
 
-def _slot_about(family: Family, room: Room, piece: Polygon) -> Polygon | None:
+def _slot_about(
+    family: Family, room: Room, piece: Polygon, roundings: Sequence[float]
+) -> Polygon | None:
     """Return a region to open by a slot that covers `piece` and meets the rooms beside it."""
     radius = family.request.cutter_radius
     around = shapely.box(*piece.buffer(2 * family.stepover).bounds)
@@ -192,7 +223,7 @@ def _slot_about(family: Family, room: Room, piece: Polygon) -> Polygon | None:
     # a region that covers the piece has its widest disc inside, and a region that is thin has none
     if widest_disc(piece, DEEPER)[1] > radius:
         return None
-    for share, rounding in product(OVERLAPS, ROUNDINGS):
+    for share, rounding in product(OVERLAPS, roundings):
         wide = shapely.intersection(beside, grow(piece, share * family.stepover))
         round_ = rounding * radius
         parts = polygons_of(grow(grow(wide, -round_), round_))

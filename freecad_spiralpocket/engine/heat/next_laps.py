@@ -96,7 +96,7 @@ def inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
             lines = isotherms(family, room, level(share))
             if low > LEAST_STEP and not pays(family, distances(some, lines).max()):
                 break
-            slots = slots_for(family, room, lines, low > LEAST_STEP)
+            slots = slots_for(family, room, lines, must_pay=low > LEAST_STEP)
             if slots:
                 return rooms_at(family, room, level(share)), slots
     low = core_share(family, room, low, hottest)
@@ -105,6 +105,11 @@ def inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
         if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
             return rooms, []
         low *= 0.95
+    for share in NECK_STEPS:
+        lines = isotherms(family, room, level(share))
+        slots = slots_for(family, room, lines, must_pay=False, any_shape=True)
+        if slots:
+            return rooms_at(family, room, level(share)), slots
     off = distances(points, isotherms(family, room, level(LEAST_STEP)))
     x, y = points[int(np.argmax(off))]
     raise NotYetError(

@@ -30,7 +30,7 @@ from __future__ import annotations
 
 import math
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -63,9 +63,6 @@ FINE = 0.2
 CROWDED, MUCH_SHORTER = 3.5, 0.85
 #: A region whose ridges are shorter than this over its largest clearance is compact.
 COMPACT = 1.5
-#: Where none lead on, these step-overs are tried, over the one that is asked for, up to that many
-#: percent of D: the first that leads on is told.
-OTHERS, MOST_PERCENT = (1.25, 1.5, 2.0, 0.8), 70
 #: More laps than this are refused.
 MOST_LAPS = 300
 
@@ -93,33 +90,10 @@ def floor_path(
         If there is no room to go down.
     """
     region = oriented(shapely.simplify(region, 0.001))
-    try:
-        wall, move = _shortest(region, request, deviation, tick)
-    except NotYetError as error:
-        percent = _percent_that_leads(region, request, deviation, tick)
-        if percent is not None:
-            error.hint = (
-                f"Take a step-over of {percent} %, a smaller cutter or the strategy Automatic."
-            )
-        raise
+    wall, move = _shortest(region, request, deviation, tick)
     if request.cutting.finishing_lap:
         wall = Lap(region, 0.0, (wall,))
     return path_through(wall, region, request, motion_of(request), move, tick)
-
-
-def _percent_that_leads(
-    region: Polygon, request: PocketRequest, deviation: float | None, tick: Tick
-) -> int | None:
-    """Return one of a few other step-overs with which laps lead on [% of D]; None if none does."""
-    percent = 100 * request.cutting.stepover / request.tool_diameter
-    for other in (round(share * percent) for share in OTHERS):
-        if not 0 < other <= MOST_PERCENT:
-            continue
-        cutting = replace(request.cutting, stepover=other / 100 * request.tool_diameter)
-        with suppress(NotYetError, CutterDoesNotFitError):
-            _shortest(region, replace(request, cutting=cutting), deviation, tick)
-            return other
-    return None
 
 
 def _shortest(
