@@ -245,6 +245,18 @@ def test_raw_isotherms_are_kept_as_a_choice():
     )
 
 
+def test_partners_of_a_slim_ring_are_on_its_own_leg():
+    line = LineString([(0, 0), (20, 0), (20, 15)])
+    inner, outer = (Ring.of(np.array(line.buffer(off).exterior.coords)[::-1]) for off in (0.1, 1.0))
+    places = np.linspace(0.0, outer.length, 200, endpoint=False)
+    points, ahead = outer.at(places), outer.ahead(places)
+    # what leads to the ring leads a little too far now and then
+    far = np.where(np.arange(200) % 7 == 3, 1.2, 0.9)
+    matched = match(inner, outer, places, points + far[:, None] * ahead @ [[0, 1], [-1, 0]])
+    off = inner.at(matched.inner) - outer.at(matched.outer)
+    assert np.hypot(*off.T).max() < 1.5
+
+
 @pytest.mark.parametrize("small", [6.25, 6.75, 7.25, 7.5])
 def test_no_lap_lies_in_the_disc_that_opens_it(small):
     bulge = Point(16, 0).buffer(small).union(box(0, -0.8 * small, 16, 0.8 * small))

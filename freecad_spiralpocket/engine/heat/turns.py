@@ -28,6 +28,9 @@ SMOOTHING = 1.5
 #: A partner farther than this over the nearest place of the other ring, and a little more [mm], is
 #: none.
 ASTRAY, SLACK = 2.5, 0.1
+#: Partners that go back by more than this share of the ring are on a wrong leg of it; where a ring
+#: goes another way it counts as farther by the second, over the distance of the rings, a radian.
+BACK, ALONG = 0.02, 2.0
 #: Rulings keep at least this share of their mean distance from each other.
 LEAST = 0.02
 
@@ -67,14 +70,33 @@ class Ring:
         s = np.mod(s, self.length)
         return np.column_stack([np.interp(s, self.along, self.points[:, i]) for i in (0, 1)])
 
-    def locate(self, points: Floats) -> Floats:
+    def ahead(self, s: Floats) -> Floats:
+        """Return the unit directions of travel at distances along the ring, shape (k, 2)."""
+        half = self.length / len(self.points)
+        ahead = self.at(s + half) - self.at(s - half)
+        return np.asarray(ahead / np.maximum(np.hypot(*ahead.T), 1e-12)[:, None])
+
+    def locate(self, points: Floats, ahead: Floats | None = None, weight: float = 0.0) -> Floats:
         """Return the distances along the ring of the places nearest to `points`, shape (k,).
 
         O(log n) for each: the nearest place is beside the nearest vertex, if these are close.
+
+        Parameters
+        ----------
+        points : ndarray of shape (k, 2)
+            [mm]
+        ahead : ndarray of shape (k, 2), optional
+            Unit directions of travel there: where the ring goes another way it counts as farther.
+        weight : float
+            By so much for each radian, nearly [mm].
         """
         n = len(self.points) - 1
-        tree = cKDTree(self.points[:-1], balanced_tree=False, compact_nodes=False)
-        nearest = tree.query(points)[1]
+        vertices, sought = self.points[:-1], points
+        if ahead is not None:
+            vertices = np.hstack([vertices, weight * self.ahead(self.along[:-1])])
+            sought = np.hstack([points, weight * ahead])
+        tree = cKDTree(vertices, balanced_tree=False, compact_nodes=False)
+        nearest = tree.query(sought)[1]
         found = []
         for first in ((nearest - 1) % n, nearest):
             a, b = self.points[first], self.points[first + 1]
@@ -126,26 +148,54 @@ def match(inner: Ring, outer: Ring, places: Floats, moved: Floats) -> Match:
     moved : ndarray of shape (k, 2)
         Where those places come to when they move to the inner ring.
     """
-    # beside a saddle the gradient leads astray
-    points = outer.at(places)
-    beside, at = np.split(inner.locate(np.vstack([points, moved])), 2)
-    nearest = inner.at(beside)
-    astray = np.hypot(*(moved - points).T) > ASTRAY * np.hypot(*(nearest - points).T) + SLACK
-    at = np.where(astray, beside, at)
-    steps = np.diff(at, append=at[:1])
-    steps = (steps + inner.length / 2) % inner.length - inner.length / 2
+    raw, off = _partners(inner, outer, places, moved)
+    if (np.maximum.accumulate(raw) - raw).max() > BACK * inner.length:
+        # where two legs of a ring are close to each other both go opposite ways
+        raw, _ = _partners(inner, outer, places, moved, ALONG * off)
     # rulings do not cross: the nearest order that never goes back
-    raw = at[0] + np.concatenate([[0.0], np.cumsum(steps)])
     forward = np.maximum.accumulate(raw)
     back = np.minimum.accumulate(raw[::-1])[::-1]
     rises = np.diff((forward + back) / 2)
     rises = gaussian_filter1d(rises, SMOOTHING, mode="wrap")
     rises = np.maximum(rises, LEAST * inner.length / len(rises))
     rises *= inner.length / rises.sum()
-    reached = at[0] + np.concatenate([[0.0], np.cumsum(rises)])
+    reached = raw[0] + np.concatenate([[0.0], np.cumsum(rises)])
     # the smoothing moves all places alike; take that back
     reached += float(np.mean(raw - reached))
     return Match(np.append(places, outer.length), reached)
+
+
+def _partners(
+    inner: Ring, outer: Ring, places: Floats, moved: Floats, weight: float = 0.0
+) -> tuple[Floats, float]:
+    """Return the places on the inner ring beside those on the outer one, and how far off it is.
+
+    Parameters
+    ----------
+    inner, outer : Ring
+    places : ndarray of shape (k,)
+    moved : ndarray of shape (k, 2)
+        See `match`.
+    weight : float
+        By how much the inner ring counts as farther where it goes another way [mm].
+
+    Returns
+    -------
+    raw : ndarray of shape (k,)
+        Distances along the inner ring, each by less than half of it from the one before [mm].
+    off : float
+        How far the inner ring is from the outer one, mostly [mm].
+    """
+    points = outer.at(places)
+    ahead = np.tile(outer.ahead(places), (2, 1)) if weight else None
+    beside, at = np.split(inner.locate(np.vstack([points, moved]), ahead, weight), 2)
+    away = np.hypot(*(inner.at(beside) - points).T)
+    # beside a saddle the gradient leads astray
+    astray = np.hypot(*(moved - points).T) > ASTRAY * away + SLACK
+    at = np.where(astray, beside, at)
+    steps = np.diff(at, append=at[:1])
+    steps = (steps + inner.length / 2) % inner.length - inner.length / 2
+    return at[0] + np.concatenate([[0.0], np.cumsum(steps)]), float(np.median(away))
 
 
 def rise(u: Floats) -> Floats:
