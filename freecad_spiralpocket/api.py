@@ -243,10 +243,23 @@ def _links(
             raise SelectionError(*_NO_FLOORS)
         if not hasattr(model, "Shape"):
             raise SelectionError(*_no_part(model))
-        links.append((_own_copy(job, model, own), tuple(names)))
+        copy = _own_copy(job, model, own)
+        _check_faces(copy, names)
+        links.append((copy, tuple(names)))
     if not any(names for _, names in links):
         raise SelectionError("No face is selected.", "Name the floor of at least one pocket.")
     return links
+
+
+def _check_faces(model: Any, names: Sequence[str]) -> None:
+    """Refuse faces by numbers that the part does not have."""
+    count = len(model.Shape.Faces)
+    for name in names:
+        number = name.removeprefix("Face")
+        if number != name and number.isdecimal() and not 0 < int(number) <= count:
+            raise SelectionError(
+                f"{model.Label} has no face {name}.", f"Its faces are Face1 to Face{count}."
+            )
 
 
 def _own_copy(job: Any, model: Any, own: dict[str, Any]) -> Any:
@@ -311,8 +324,16 @@ def _set(op: Any, name: str, value: Any) -> None:
         setattr(op, name, value)
     except (TypeError, ValueError, ArithmeticError, RuntimeError) as error:
         raise RequestError(
-            f"{name} cannot be {value!r}: {str(error).rstrip('.!')}.", _hint_for(op, name)
+            f"{name} cannot be {value!r}: {_said(error)}.", _hint_for(op, name)
         ) from error
+
+
+def _said(error: Exception) -> str:
+    """Return what FreeCAD says; 0.20 puts that into a dictionary."""
+    said = error.args[0] if error.args else ""
+    if isinstance(said, dict):
+        said = said.get("sErrMsg") or "it is of another kind"
+    return str(said).rstrip(".!")
 
 
 def _hint_for(op: Any, name: str) -> str:

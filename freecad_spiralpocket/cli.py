@@ -15,6 +15,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import FreeCAD
+
 from . import api
 from .arguments import positive
 from .engine.errors import SelectionError, SetupError, SpiralPocketError
@@ -38,7 +40,12 @@ def parser() -> argparse.ArgumentParser:
         prog="./dev cam", description="Clear pockets with a spiral and write the program."
     )
     add = p.add_argument
-    add("part", type=Path, help="STEP, IGES, BREP or FCStd file, or a pocket's outline as JSON")
+    add(
+        "part",
+        type=Path,
+        help="STEP, IGES, BREP or FCStd file, or a pocket's outline as JSON: "
+        '{"outer": [[x, y], ...], "holes": [[[x, y], ...], ...]}',
+    )
     add("--part", dest="part_name", metavar="NAME", help="the part, if the file has several")
     add(
         "--face",
@@ -47,9 +54,9 @@ def parser() -> argparse.ArgumentParser:
         metavar="FACE",
         help="floor of a pocket such as Face12, may be given several times; all: every one",
     )
-    add("--tool", type=positive, metavar="D", help="diameter of the end mill [mm]")
-    add("--stepover", type=int, metavar="PERCENT", help="of the tool's diameter, at most")
-    add("--depth", type=positive, help="how deep to cut below the stock's top [mm]")
+    add("--tool", type=length, metavar="D", help="diameter of the end mill [mm, or with a unit]")
+    add("--stepover", type=percent, metavar="PERCENT", help="of the tool's diameter, at most")
+    add("--depth", type=length, help="how deep to cut below the stock's top [mm, or with a unit]")
     add("--feed", type=positive, help=f"horizontal feed [mm/min], {FEED:g} for a new tool")
     add("--plunge", type=positive, help="vertical feed [mm/min], a quarter of the feed")
     add("--rapid", type=positive, help=f"rapid rate [mm/min], {RAPID:g} for a new tool")
@@ -75,15 +82,37 @@ def parser() -> argparse.ArgumentParser:
     return p
 
 
+def length(text: str) -> float:
+    """Return a length above 0 [mm] from a number, or one with a unit."""
+    try:
+        quantity = FreeCAD.Units.Quantity(text)
+    except (ValueError, ArithmeticError, RuntimeError):
+        return positive(text)
+    if quantity.Unit == FreeCAD.Units.Length:
+        return positive(str(quantity.Value))
+    return positive(text)
+
+
+def percent(text: str) -> int:
+    """Return a whole number from one, with or without a percent sign."""
+    return int(text.strip().rstrip("%"))
+
+
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command line and return the exit code: 0, or 1 if nothing could be cut."""
+    """Run the command line.
+
+    Returns
+    -------
+    int
+        The exit code: 0, 1 if nothing could be cut, 3 if some of the pockets could not.
+    """
     args = parser().parse_args(argv)
     try:
-        run(args)
+        op = run(args)
     except SpiralPocketError as error:
         print(f"cam: {error}", file=sys.stderr)
         return 1
-    return 0
+    return 3 if op.Proxy.errors else 0
 
 
 def run(args: argparse.Namespace) -> Any:
@@ -108,6 +137,9 @@ def run(args: argparse.Namespace) -> Any:
         op = api.add_spiral_pocket(job, [(model, faces)], controller, **properties(args, job))
         write(args, job, op)
     print("\n".join(results.summary(op)))
+    others = [o.Label for o in job.Operations.Group if o is not op and getattr(o, "Active", True)]
+    if others and args.output:
+        print(f"also in the program: {', '.join(others)}, which the job had before")
     return op
 
 
@@ -212,13 +244,16 @@ def properties(args: argparse.Namespace, job: Any) -> dict[str, Any]:
 
 
 def value_of(text: str) -> Any:
-    """Return `text` as a truth value or a number where it is one."""
+    """Return `text` as a truth value, a number or three numbers where it is such."""
     if text.lower() in ("true", "false"):
         return text.lower() == "true"
     try:
-        return float(text)
+        numbers = [float(part) for part in text.strip("() ").split(",")]
     except ValueError:
         return text
+    if len(numbers) == 1:
+        return numbers[0]
+    return tuple(numbers) if len(numbers) == 3 else text
 
 
 def write(args: argparse.Namespace, job: Any, op: Any) -> None:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A picture of planned pockets: the path in the plane, colored by engagement.
 
-Shows the deepest level of each pocket, in the outline of its top where walls are slanted,
-as measured on the finished path: where the color stays below the mark on the color bar,
-the cutter is loaded no more than on a straight cut at the step-over. Needs matplotlib,
-which FreeCAD's own packages carry; everything is drawn without a window.
+Shows the deepest level of each pocket, but for a thin last one, on which the cutter is
+loaded less, in the outline of its top where walls are slanted, as measured on the finished
+path: where the color stays below the mark on the color bar, the cutter is loaded no more
+than on a straight cut at the step-over. Needs matplotlib, which FreeCAD's own packages carry;
+everything is drawn without a window.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import shapely
 from numpy.typing import NDArray
 
 from .engine.errors import SetupError
-from .engine.levels import levels_of
+from .engine.levels import Level, levels_of
 from .engine.model import Floats, Plan
 from .engine.shapes.region import polygons_of
 from .engine.toolpath import Kind, Role
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 WIDTH, DPI = 16.0, 130  # in, 1/in
 #: Heights closer than this are one level [mm].
 SAME_HEIGHT = 1e-3
+#: A level is thin that is thinner than this, over the thickest.
+THIN = 0.5
 #: A smaller engagement is none [rad].
 UNLOADED = np.radians(1)
 #: Angles per drawn chord of an arc [rad].
@@ -120,9 +123,10 @@ def _mouth(plan: Plan) -> Polygon:
 
 def _draw_moves(axes: Axes, plan: Plan) -> None:
     """Draw entries, links, and below the colored path what cuts nothing."""
-    roles, heights = plan.toolpath.roles, plan.toolpath.points[:, 2]
-    deepest = heights < heights.min() + SAME_HEIGHT
-    downwards = heights < levels_of(plan.request)[-1].top + SAME_HEIGHT
+    roles, heights, level = plan.toolpath.roles, plan.toolpath.points[:, 2], _shown(plan)
+    deepest = np.abs(heights - level.bottom) < SAME_HEIGHT
+    downwards = heights < level.top + SAME_HEIGHT
+    downwards &= heights > level.bottom - SAME_HEIGHT
     for role, color, width, label, order in (
         (Role.ENTRY, ENTRY_COLOR, 1.6, "entry", 5),
         (Role.LINK, LINK_COLOR, 0.6, "link at depth", 3.5),
@@ -132,6 +136,18 @@ def _draw_moves(axes: Axes, plan: Plan) -> None:
         chosen = np.flatnonzero((roles == role) & (downwards if role == Role.ENTRY else deepest))
         if len(chosen):
             axes.plot(*_polyline(plan, chosen).T, color=color, lw=width, label=label, zorder=order)
+
+
+def _shown(plan: Plan) -> Level:
+    """Return the lowest level that is not much thinner than others."""
+    heights = plan.toolpath.points[:, 2]
+    levels = [
+        level
+        for level in levels_of(plan.request)
+        if (np.abs(heights - level.bottom) < SAME_HEIGHT).any()
+    ]
+    thick = np.array([level.top - level.bottom for level in levels])
+    return levels[int(np.flatnonzero(thick >= THIN * thick.max())[-1])]
 
 
 def _polyline(plan: Plan, chosen: NDArray[np.int64]) -> Floats:
@@ -195,7 +211,7 @@ def _colored(plan: Plan) -> tuple[Any, Any]:
     points, angles = plan.report.engagement_points, plan.report.engagement_angles
     if len(points) < 2:
         return np.empty((0, 2, 2)), np.empty(0)
-    low = np.abs(points[:, 2] - points[:, 2].min()) < SAME_HEIGHT
+    low = np.abs(points[:, 2] - _shown(plan).bottom) < SAME_HEIGHT
     step = np.hypot(*np.diff(points[:, :2], axis=0).T)
     near = step < plan.request.cutter_radius
     loaded = angles[1:] > UNLOADED

@@ -2,8 +2,8 @@
 """From a file to a part in a document: STEP, IGES, BREP, FreeCAD, or a pocket's outline.
 
 An outline is a JSON file with `outer`, a list of points [mm], and `holes`, a list
-of such lists; it becomes a block with that pocket, whose top is at Z0. It may
-name a cutter diameter `tool` and a largest radial depth of cut `ae`.
+of such lists, the islands; it becomes a block with that pocket, whose top is at Z0.
+It may name a cutter diameter `tool` and a largest radial depth of cut `ae`.
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ from .compat import PathJob
 from .solids import closed
 
 SHAPE_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
+#: What an outline may hold in lists.
+SHAPES = ("outer", "holes")
 #: Material around and below the pocket of an outline [mm].
 MARGIN = 15.0
 BELOW = 5.0
@@ -151,6 +153,12 @@ def _outline(path: Path) -> dict[str, Any]:
         raise SetupError(
             f"{path.name} has no outline.", 'It needs "outer": [[x, y], ...], three points or more.'
         )
+    for key, value in outline.items():
+        if isinstance(value, list) and key not in SHAPES:  # perhaps islands, to be cut away
+            raise SetupError(
+                f'{path.name} has "{key}", which is not understood.',
+                'Outlines are "outer", a list of points, and "holes", a list of such lists.',
+            )
     return outline
 
 

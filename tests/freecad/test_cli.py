@@ -81,6 +81,28 @@ def test_an_outline_brings_its_tool_and_step(tmp_path):
     assert (op.StartDepth.Value, op.FinalDepth.Value) == (0, -2)
 
 
+def test_an_outline_with_islands_by_another_name_is_refused(tmp_path, capsys):
+    corners = [[0, 0], [40, 0], [40, 30], [0, 30]]
+    island = [[15, 12], [25, 12], [25, 18], [15, 18]]
+    path = tmp_path / "outline.json"
+    path.write_text(json.dumps({"outer": corners, "islands": [island], "name": "any"}))
+    assert cli.main([str(path), "--tool", "6"]) == 1
+    assert '"islands"' in capsys.readouterr().err
+    path.write_text(json.dumps({"outer": corners, "holes": [island], "name": "any"}))
+    assert cli.main([str(path), "--tool", "0.25 in", "--stepover", "30%"]) == 0
+
+
+def test_a_pocket_that_is_not_cut_shows_in_the_exit_code(tmp_path):
+    pockets = block(area(rectangle(40, 30, 4)), area(rectangle(5, 5, 1, 60, 0)))
+    path = saved(pockets, tmp_path / "two.brep")
+    assert cli.main([str(path), "--face", "all", "--tool", "6"]) == 3
+
+
+def test_a_start_point_is_three_numbers():
+    assert cli.value_of("(7, 3.5, 0)") == cli.value_of("7,3.5,0") == (7.0, 3.5, 0.0)
+    assert cli.value_of("3,5") == "3,5" and cli.value_of("1/16 in") == "1/16 in"
+
+
 def test_several_pockets_are_listed(two_pockets, tmp_path, capsys):
     part = saved(two_pockets, tmp_path / "part.step")
     assert cli.main([str(part), "--tool", "6"]) == 1
