@@ -26,12 +26,16 @@ from .arguments import positive, positive_whole
 from .engine.errors import RequestError, SetupError, SpiralPocketError
 from .engine.motion.force import MATERIALS, Cutter
 from .engine.stepover import engagement_angle
-from .engine.toolpath import Toolpath
+from .engine.toolpath import Kind, Toolpath
 from .study import Setup, Study
 
 #: Where the program does not say [1/min].
 SPINDLE_SPEED = 10_000.0
 MACHINE = "vmc"
+#: Heights closer than this are one level [mm].
+SAME_HEIGHT = 1e-3
+#: A level is as long as this over the longest: no loop of a slot that opens one.
+LEVEL = 0.5
 
 _STYLE = """body{font:15px/1.5 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em}
 table{border-collapse:collapse}td{padding:.15em 1.5em .15em 0}img{max-width:100%}
@@ -76,7 +80,7 @@ def parser() -> argparse.ArgumentParser:
         "--axial-depth",
         type=positive,
         metavar="MM",
-        help="of a full cut; the whole depth if not given",
+        help="of a full cut; how far the program's levels are apart if not given",
     )
     add("--top", type=float, metavar="Z", help="top of the stock, 0 if not given")
     add("--spindle", type=positive, metavar="RPM", help="spindle speed")
@@ -184,8 +188,7 @@ def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
     if source.diameter is None:
         raise RequestError("The program does not say how wide the cutter is.", "Give --tool.")
     top = source.top or 0.0
-    lowest = float(source.toolpath.points[:, 2].min())
-    depth = top - lowest if source.axial_depth is None else source.axial_depth
+    depth = source.axial_depth or _step_down(source.toolpath, top)
     if not depth > 0:
         raise RequestError("The program never goes below the top of the stock.", "Give --top.")
     limit = np.nan
@@ -202,6 +205,23 @@ def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
         engagement_limit=limit,
         climb=source.climb and not args.conventional,
     )
+
+
+def _step_down(toolpath: Toolpath, top: float) -> float:
+    """Return how far the levels of a program are apart at most, from the stock's top on [mm].
+
+    A level is what the cutter goes along for a good part of the longest one. The whole depth where
+    there is none.
+    """
+    ends, starts = toolpath.points[:, 2], toolpath.starts[:, 2]
+    level = (np.abs(ends - starts) < SAME_HEIGHT) & (toolpath.kinds != Kind.RAPID)
+    level &= ends < top - SAME_HEIGHT
+    if not level.any():
+        return top - float(ends.min())
+    heights, of = np.unique(np.round(ends[level] / SAME_HEIGHT), return_inverse=True)
+    lengths = np.bincount(of, weights=toolpath.lengths[level])
+    heights = heights[lengths > LEVEL * lengths.max()] * SAME_HEIGHT
+    return float(-np.diff([top, *heights[::-1]]).min())
 
 
 def _from_program(path: Path) -> _Source:

@@ -72,6 +72,17 @@ def test_study_finds_slot_and_side_cut():
     assert measured.removal.max() == pytest.approx(6.0 * 2.0 * 20.0)
 
 
+@pytest.mark.parametrize(
+    ("levels", "step"), [((-2,), 2.0), ((-2, -4), 2.0), ((-3, -6, -7), 3.0), ((-1, -4), 3.0)]
+)
+def test_depth_of_a_full_cut_is_how_far_levels_are_apart(levels, step):
+    lap = "G1 X60 F1200\nG1 Y-2\nG1 X0\nG1 Y0\n"
+    cuts = "".join(f"G1 Z{z} F300\n{lap}" for z in levels)
+    # short loops on the way down, as a slot has, are no levels
+    path = parse_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-0.5 F300\nG1 X20 F1200\nG1 X0\n{cuts}G0 Z5\n")
+    assert report._step_down(path, 0.0) == pytest.approx(step)
+
+
 def test_program_without_a_tool_asks_for_it(program, capsys):
     assert report.main([str(program)]) == 1
     assert "--tool" in capsys.readouterr().err
