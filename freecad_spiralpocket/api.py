@@ -319,6 +319,8 @@ def _set(op: Any, name: str, value: Any) -> None:
     if any(path == name for path, _ in op.ExpressionEngine):
         op.setExpression(name, None)
     if name == "StepOver":
+        if isinstance(value, bool):
+            raise RequestError(f"StepOver cannot be {value}.", "Give whole percent.")
         value = int(float(value))
     try:
         setattr(op, name, value)
@@ -326,6 +328,15 @@ def _set(op: Any, name: str, value: Any) -> None:
         raise RequestError(
             f"{name} cannot be {value!r}: {_said(error)}.", _hint_for(op, name)
         ) from error
+    _check_kept(op, name, value)
+
+
+def _check_kept(op: Any, name: str, value: Any) -> None:
+    """Refuse what FreeCAD has replaced by 0 without a word."""
+    kept = getattr(getattr(op, name), "Value", None)
+    is_number = isinstance(value, float | int) and not isinstance(value, bool)
+    if is_number and value < 0 and kept == 0:
+        raise RequestError(f"{name} cannot be {value!r}: it is negative.", "Give 0 or more.")
 
 
 def _said(error: Exception) -> str:

@@ -107,6 +107,7 @@ def edge(curve: SplineCurve) -> Any:
 def summary(obj: Any) -> list[str]:
     """Return a short report of the operation for the terminal, one line for each figure."""
     limit = max((p.report.engagement_limit for p in obj.Proxy.plans), default=0.0)
+    bite = max((p.report.entry_bite for p in obj.Proxy.plans), default=0.0)
     minutes, seconds = divmod(round(obj.MachiningTime), 60)
     time = f"{minutes} min {seconds:02d} s" if obj.MachiningTime else "unknown, there are no feeds"
     return [
@@ -114,6 +115,7 @@ def summary(obj: Any) -> list[str]:
         f"length      {obj.PathLength.Value / 1000:.2f} m",
         f"engagement  {obj.LargestEngagement.Value:.0f} deg at most, "
         f"{np.degrees(limit):.0f} deg on a straight cut",
+        f"entry       {bite:.2f} mm deep at full width",
         f"uncut       {obj.UncutArea:.2f} mm2",
         f"gouge       {obj.Gouge.Value:.3f} mm",
         *(f"notice      {notice}" for notice in obj.Notices),
