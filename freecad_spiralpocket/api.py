@@ -13,6 +13,7 @@ is meant for the machinist, and leave the document as it was when they do.
 
 from __future__ import annotations
 
+import difflib
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -207,8 +208,10 @@ def _check_values(values: dict[str, Any]) -> None:
     known = sorted([*properties.option_names(), *properties.INHERITED])
     for name, value in values.items():
         if name not in known:
+            near = difflib.get_close_matches(name, [*known, "tool_controller"], 1)
+            meant = f"Is it {near[0]}? " if near else ""
             raise RequestError(
-                f"Spiral Pocket has no property {name}.", f"There are {', '.join(known)}."
+                f"Spiral Pocket has no property {name}.", f"{meant}There are {', '.join(known)}."
             )
         allowed = properties.choices().get(name)
         if allowed and value not in allowed:
@@ -217,7 +220,7 @@ def _check_values(values: dict[str, Any]) -> None:
             )
     stepover = values.get("StepOver", 1)
     try:
-        percent = float(stepover)
+        percent = 0.0 if isinstance(stepover, bool) else float(stepover)
     except (TypeError, ValueError):
         percent = 0.0
     if not (1 <= percent <= 100 and percent == int(percent)):
@@ -319,8 +322,6 @@ def _set(op: Any, name: str, value: Any) -> None:
     if any(path == name for path, _ in op.ExpressionEngine):
         op.setExpression(name, None)
     if name == "StepOver":
-        if isinstance(value, bool):
-            raise RequestError(f"StepOver cannot be {value}.", "Give whole percent.")
         value = int(float(value))
     try:
         setattr(op, name, value)

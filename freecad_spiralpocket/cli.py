@@ -167,14 +167,16 @@ def choose_faces(model: Any, names: Sequence[str] | None) -> list[str]:
         If none was named and there is not exactly one; its hint lists them. If one is named that
         the part has not.
     """
-    if names and "all" not in names:
+    # as in a list, or without the capital
+    names = [name.strip().capitalize() for one in names or () for name in one.split(",")]
+    if names and "All" not in names:
         faces = [f"Face{number}" for number in range(1, len(model.Shape.Faces) + 1)]
         for name in names:
             if name not in faces:
                 raise SelectionError(
                     f"The part has no face {name}.", f"Its faces are Face1 to {faces[-1]}."
                 )
-        return list(names)
+        return names
     floors = sorted(selection.find_floors(model), key=lambda f: f.face.BoundBox.XMin)
     if not floors:
         raise SelectionError(

@@ -117,6 +117,8 @@ def test_faces_are_chosen_by_name_or_all(two_pockets, tmp_path):
     assert len(call(part, "--tool", 6, "--face", right, *QUICK).Proxy.plans) == 1
     both = call(part, "--tool", 6, "--face", left, "--face", right, *QUICK)
     every = call(part, "--tool", 6, "--face", "all", *QUICK)
+    listed = call(part, "--tool", 6, "--face", f"{left.lower()},{right}", *QUICK)
+    assert len(listed.Proxy.plans) == 2
     named_too = call(part, "--tool", 6, "--face", left, "--face", "all", *QUICK)
     assert len(both.Proxy.plans) == len(every.Proxy.plans) == len(named_too.Proxy.plans) == 2
 
@@ -234,7 +236,7 @@ def test_speeds_that_are_set_stay(one_pocket, tmp_path):
         (["--tool", "6", "--set", "StepOver"], "has no value"),
         (["--tool", "6", "--set", "Stepover=4"], "no property Stepover"),
         (["--tool", "6", "--face", "Face1"], "Face1"),
-        (["--tool", "6", "--face", "face12"], "no face face12. Its faces are Face1 to Face"),
+        (["--tool", "6", "--face", "facet"], "no face Facet. Its faces are Face1 to Face"),
         (["--tool", "6", *QUICK, "--fcstd", "/proc/part.FCStd"], "Cannot write /proc"),
         (["--tool", "6", "--set", "StepOver=inf"], "step-over of inf percent"),
         (["--tool", "6", "--set", "UseStartPoint=perhaps"], "True or False"),

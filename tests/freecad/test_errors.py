@@ -126,7 +126,7 @@ def test_a_step_over_that_cannot_be(setting, stepover):
         ("StepDown", 1e-6, "more than 500 levels"),
         ("SlotBite", 1e-5, "more than 500 levels"),
         ("SlotBite", -1, "SlotBite cannot be -1: it is negative"),
-        ("StepOver", True, "StepOver cannot be True"),
+        ("StepOver", True, "step-over of True"),
         ("HelixAngle", "steep", "HelixAngle cannot be 'steep': [^{}]*$"),
         ("HelixAngle", 0, "helix angle"),
         ("HelixAngle", 0.01, "more than 500 times on its way down"),
@@ -204,7 +204,8 @@ def test_a_library_is_missing_for_a_script(setting, monkeypatch):
 def test_unknown_names_and_choices_are_listed(setting):
     job, part, face = setting
     base = [(part, [face])]
-    refused(job, base, RequestError, "no property Stepover.*StepOver", Stepover=30)
+    refused(job, base, RequestError, "no property Stepover.*Is it StepOver", Stepover=30)
+    refused(job, base, RequestError, "Is it tool_controller", ToolController=None)
     refused(job, base, RequestError, "Choose one of: Climb, Conventional", CutMode="Up")
     refused(job, base, RequestError, "StockToLeave cannot be 'much'", StockToLeave="much")
     refused(job, base, RequestError, "HelixAngle cannot be '3 mm'", HelixAngle="3 mm")
