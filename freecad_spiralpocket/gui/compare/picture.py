@@ -15,14 +15,16 @@ from ..qt.theme import Theme
 
 #: Colors of the scale that are told apart, and margin around the pocket in pixels.
 SHADES, MARGIN = 24, 6
-#: A stretch longer than this share of the radius is not of the lowest level's path.
-_LEVEL = 1e-3  # mm
+#: Heights closer than this are one level [mm].
+_LEVEL = 1e-3
+#: On a thin last level the cutter is loaded less: one is shown that has this share of the most.
+_SHARE = 0.7
 
 
 def picture_of(
     drawn: Drawn, scale: colors.Scale, size: Any, worn: Theme, fineness: float = 1.0
 ) -> QtGui.QPixmap:
-    """Return the deepest level of a plan as a picture.
+    """Return the deepest level of a plan, but for a thin last one, as a picture.
 
     Parameters
     ----------
@@ -67,13 +69,15 @@ def picture_of(
 def _draw_path(painter: Any, drawn: Drawn, scale: colors.Scale) -> None:
     trace = drawn.trace
     z = trace.points[:, 2]
-    lowest = (np.abs(z[1:] - z.min()) < _LEVEL) & (np.abs(z[:-1] - z.min()) < _LEVEL)
+    values, is_cut = scale.values(trace), colors.is_cut(trace)
+    height = _shown_height(z[1:][is_cut], values[is_cut]) if is_cut.any() else z.min()
+    shown = (np.abs(z[1:] - height) < _LEVEL) & (np.abs(z[:-1] - height) < _LEVEL)
     starts, ends = trace.points[:-1, :2], trace.points[1:, :2]
     flat = np.hypot(*(ends - starts).T) > _LEVEL
-    shade = (scale.values(trace) / scale.top * (SHADES - 1)).clip(0, SHADES - 1).astype(int)
-    cut = colors.is_cut(trace) & lowest
+    shade = (values / scale.top * (SHADES - 1)).clip(0, SHADES - 1).astype(int)
+    cut = is_cut & shown
     layers = [
-        (lowest & (trace.roles == Role.LINK), colors.LINK, 0.8),
+        (shown & (trace.roles == Role.LINK), colors.LINK, 0.8),
         (flat & (trace.roles == Role.AIR), colors.AIR, 0.8),
         (trace.roles == Role.ENTRY, colors.ENTRY, 0.8),
     ]
@@ -85,6 +89,13 @@ def _draw_path(painter: Any, drawn: Drawn, scale: colors.Scale) -> None:
         painter.setPen(_pen(QtGui.QColor.fromRgbF(*(float(c) for c in color)), width))
         lines = np.column_stack([starts, ends])[chosen].tolist()
         painter.drawLines([QtCore.QLineF(*line) for line in lines])
+
+
+def _shown_height(heights: Any, values: Any) -> float:
+    """Return the lowest height at which the values of cuts are, in the mean, much of the most."""
+    levels, of = np.unique(np.round(heights / _LEVEL), return_inverse=True)
+    means = np.bincount(of, weights=values) / np.bincount(of)
+    return float(levels[np.flatnonzero(means >= _SHARE * means.max())[0]] * _LEVEL)
 
 
 def _pen(color: Any, width: float) -> QtGui.QPen:
