@@ -11,7 +11,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,8 @@ import FreeCAD
 from . import api
 from .arguments import positive
 from .engine.errors import SelectionError, SetupError, SpiralPocketError
-from .op import compat, part_files, results, selection
+from .engine.model import Progress
+from .op import compat, operation, part_files, results, selection
 
 #: What a new tool controller gets where nothing is said [mm/min].
 FEED, RAPID = 1000.0, 5000.0
@@ -134,13 +136,40 @@ def run(args: argparse.Namespace) -> Any:
         controller = tool_controller(job, args.tool)
         set_speeds(controller, args)
         document.recompute()
-        op = api.add_spiral_pocket(job, [(model, faces)], controller, **properties(args, job))
+        with told_progress():
+            op = api.add_spiral_pocket(job, [(model, faces)], controller, **properties(args, job))
         write(args, job, op)
     print("\n".join(results.summary(op)))
     others = [o.Label for o in job.Operations.Group if o is not op and getattr(o, "Active", True)]
     if others and args.output:
         print(f"also in the program: {', '.join(others)}, which the job had before")
     return op
+
+
+@contextmanager
+def told_progress() -> Iterator[None]:
+    """Tell on a terminal how far the planning is: small step-overs may take minutes."""
+    if not sys.stderr.isatty():
+        yield
+        return
+
+    @contextmanager
+    def factory(label: str) -> Iterator[Progress]:
+        def tell(done: float, stage: str) -> bool:
+            print(f"\r{100 * done:3.0f} %  {stage:30}", end="", file=sys.stderr, flush=True)
+            return False
+
+        try:
+            yield tell
+        finally:
+            print("\r" + 40 * " ", end="\r", file=sys.stderr, flush=True)
+
+    kind = operation.ObjectSpiralPocket
+    before, kind.progress_factory = kind.progress_factory, staticmethod(factory)
+    try:
+        yield
+    finally:
+        kind.progress_factory = before
 
 
 def new_job(part: Any, diameter: float) -> Any:

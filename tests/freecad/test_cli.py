@@ -2,6 +2,7 @@
 """The command line: every kind of file in, program, document, picture and report out."""
 
 import json
+import re
 import sys
 
 import FreeCAD
@@ -20,7 +21,7 @@ from sample_parts import (
 )
 
 from freecad_spiralpocket import cli
-from freecad_spiralpocket.op import part_files
+from freecad_spiralpocket.op import operation, part_files
 
 SQUARE = [[0, 0], [24, 0], [24, 18], [0, 18]]
 QUICK = ["--set", "Strategy=Linear Morph"]
@@ -96,6 +97,16 @@ def test_a_pocket_that_is_not_cut_shows_in_the_exit_code(tmp_path):
     pockets = block(area(rectangle(40, 30, 4)), area(rectangle(5, 5, 1, 60, 0)))
     path = saved(pockets, tmp_path / "two.brep")
     assert cli.main([str(path), "--face", "all", "--tool", "6"]) == 3
+
+
+def test_a_terminal_shows_how_far_planning_is(one_pocket, tmp_path, capsys, monkeypatch):
+    part = saved(one_pocket, tmp_path / "part.brep")
+    call(part, "--tool", 6, *QUICK)
+    assert "%" not in capsys.readouterr().err
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    call(part, "--tool", 6, *QUICK)
+    assert re.search(r"\r +\d+ %  Laying", capsys.readouterr().err)
+    assert operation.ObjectSpiralPocket.progress_factory is None
 
 
 def test_a_start_point_is_three_numbers():
