@@ -247,22 +247,11 @@ def _links(
         if not hasattr(model, "Shape"):
             raise SelectionError(*_no_part(model))
         copy = _own_copy(job, model, own)
-        _check_faces(copy, names)
+        selection.check_names(copy, names)
         links.append((copy, tuple(names)))
     if not any(names for _, names in links):
         raise SelectionError("No face is selected.", "Name the floor of at least one pocket.")
     return links
-
-
-def _check_faces(model: Any, names: Sequence[str]) -> None:
-    """Refuse faces by numbers that the part does not have."""
-    count = len(model.Shape.Faces)
-    for name in names:
-        number = name.removeprefix("Face")
-        if number != name and number.isdecimal() and not 0 < int(number) <= count:
-            raise SelectionError(
-                f"{model.Label} has no face {name}.", f"Its faces are Face1 to Face{count}."
-            )
 
 
 def _own_copy(job: Any, model: Any, own: dict[str, Any]) -> Any:

@@ -54,7 +54,7 @@ def parser() -> argparse.ArgumentParser:
         dest="faces",
         action="append",
         metavar="FACE",
-        help="floor of a pocket such as Face12, may be given several times; all: every one",
+        help="floor of a pocket such as Face12, or several with commas; all: every one",
     )
     add("--tool", type=length, metavar="D", help="diameter of the end mill [mm, or with a unit]")
     add("--stepover", type=percent, metavar="PERCENT", help="of the tool's diameter, at most")
@@ -193,18 +193,11 @@ def choose_faces(model: Any, names: Sequence[str] | None) -> list[str]:
     Raises
     ------
     SelectionError
-        If none was named and there is not exactly one; its hint lists them. If one is named that
-        the part has not.
+        If none was named and there is not exactly one; its hint lists them.
     """
     # as in a list, or without the capital
     names = [name.strip().capitalize() for one in names or () for name in one.split(",")]
     if names and "All" not in names:
-        faces = [f"Face{number}" for number in range(1, len(model.Shape.Faces) + 1)]
-        for name in names:
-            if name not in faces:
-                raise SelectionError(
-                    f"The part has no face {name}.", f"Its faces are Face1 to {faces[-1]}."
-                )
         return names
     floors = sorted(selection.find_floors(model), key=lambda f: f.face.BoundBox.XMin)
     if not floors:

@@ -23,6 +23,7 @@ from .engine.levels import Level, levels_of
 from .engine.model import Floats, Plan
 from .engine.shapes.region import polygons_of
 from .engine.toolpath import Kind, Role
+from .trace import loaded_level
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,8 +34,6 @@ if TYPE_CHECKING:
 WIDTH, DPI = 16.0, 130  # in, 1/in
 #: Heights closer than this are one level [mm].
 SAME_HEIGHT = 1e-3
-#: A level is thin that is thinner than this, over the thickest.
-THIN = 0.5
 #: A smaller engagement is none [rad].
 UNLOADED = np.radians(1)
 #: Angles per drawn chord of an arc [rad].
@@ -139,15 +138,13 @@ def _draw_moves(axes: Axes, plan: Plan) -> None:
 
 
 def _shown(plan: Plan) -> Level:
-    """Return the lowest level that is not much thinner than others."""
-    heights = plan.toolpath.points[:, 2]
-    levels = [
-        level
-        for level in levels_of(plan.request)
-        if (np.abs(heights - level.bottom) < SAME_HEIGHT).any()
-    ]
-    thick = np.array([level.top - level.bottom for level in levels])
-    return levels[int(np.flatnonzero(thick >= THIN * thick.max())[-1])]
+    """Return the lowest level on which the cutter is loaded as on others."""
+    report, roles = plan.report, plan.toolpath.roles
+    height = plan.toolpath.points[:, 2].min()
+    is_cut = np.isin(roles[report.engagement_moves], (Role.CUT, Role.FINISH))
+    if is_cut.any():
+        height = loaded_level(report.engagement_points[is_cut, 2], report.engagement_angles[is_cut])
+    return min(levels_of(plan.request), key=lambda level: abs(level.bottom - height))
 
 
 def _polyline(plan: Plan, chosen: NDArray[np.int64]) -> Floats:

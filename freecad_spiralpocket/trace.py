@@ -28,6 +28,8 @@ from .engine.toolpath import Kind, Toolpath
 ARC_STEP = np.radians(8)
 #: Left-over pieces of less area than this share of the cutter's disc are not shown.
 TOLD_LEFT = 1e-3
+#: Heights closer than this are one level [mm]; one is loaded that has this share of the most.
+SAME_HEIGHT, LOADED = 1e-3, 0.7
 #: Walls are shown where the stock is no farther than this [mm].
 TOUCHES = 0.01
 
@@ -162,3 +164,19 @@ def _on_arcs(path: Toolpath) -> Floats:
         for begin, length, count in zip(begins, path.lengths[arcs], counts, strict=True)
     ]
     return np.concatenate(steps) if steps else np.zeros(0)
+
+
+def loaded_level(heights: Floats, angles: Floats) -> float:
+    """Return the lowest height [mm] at which cuts are loaded nearly as much as at any other.
+
+    On a thin last level the engagement is a part of that on a full one, which a picture from above
+    had better show.
+
+    Parameters
+    ----------
+    heights, angles : ndarray of shape (n,)
+        Of places on cuts [mm], and the engagement there [rad].
+    """
+    levels, of = np.unique(np.round(heights / SAME_HEIGHT), return_inverse=True)
+    means = np.bincount(of, weights=angles) / np.bincount(of)
+    return float(levels[np.flatnonzero(means >= LOADED * means.max())[0]] * SAME_HEIGHT)

@@ -18,7 +18,7 @@ from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.draft import draft, openings
 from freecad_spiralpocket.engine.model import CutMode, Cutting
 from freecad_spiralpocket.engine.toolpath import Role
-from freecad_spiralpocket.trace import areas_of, pieces_without_holes, trace_of
+from freecad_spiralpocket.trace import areas_of, loaded_level, pieces_without_holes, trace_of
 
 
 @pytest.fixture(scope="module")
@@ -113,3 +113,15 @@ def test_draft_of_a_pocket_in_other_stock_is_made_anew():
         (made,) = tasks.draft(asked, lambda *_: False).entries
         (fresh,) = draft(asked).entries
         np.testing.assert_array_equal(made, fresh)
+
+
+def test_a_picture_from_above_shows_a_full_level_not_a_thin_last_one():
+    heights = np.repeat([-6.0, -12.0, -14.0], 5)
+    assert loaded_level(heights, np.repeat([1.3, 1.3, 0.4], 5)) == pytest.approx(-12.0)
+    assert loaded_level(heights, np.repeat([1.3, 1.3, 1.2], 5)) == pytest.approx(-14.0)
+    deep = replace(shapes.HEIGHTS, final_depth=-12.0, step_down=5.0)
+    result = plan(shapes.request(shapes.SQUARE, heights=deep))
+    report = result.report
+    cut = result.toolpath.roles[report.engagement_moves] == Role.CUT
+    shown = loaded_level(report.engagement_points[cut, 2], report.engagement_angles[cut])
+    assert shown == pytest.approx(-10.0)

@@ -228,6 +228,23 @@ def _are_same(one: Any, other: Any) -> bool:
     return bool(abs(one.Volume - other.Volume) <= SAME_VOLUME * abs(other.Volume))
 
 
+def check_names(part: Any, names: Sequence[str]) -> None:
+    """Refuse names that a part has nothing by.
+
+    Raises
+    ------
+    SelectionError
+    """
+    for name in names:
+        try:
+            part.Shape.getElement(name)
+        except STALE_ELEMENT_ERRORS as error:
+            raise SelectionError(
+                f"{part.Label} has no face {name}.",
+                f"Its faces are Face1 to Face{len(part.Shape.Faces)}.",
+            ) from error
+
+
 def _element(shape: Any, where: str, name: str) -> Any:
     """Return the sub-shape `name`, which FreeCAD marks with "?" when it lost it."""
     try:

@@ -10,6 +10,7 @@ from PySide import QtCore, QtGui
 
 from ...beside.tasks import Drawn
 from ...engine.toolpath import Role
+from ...trace import loaded_level
 from ..preview import colors
 from ..qt.theme import Theme
 
@@ -17,8 +18,6 @@ from ..qt.theme import Theme
 SHADES, MARGIN = 24, 6
 #: Heights closer than this are one level [mm].
 _LEVEL = 1e-3
-#: On a thin last level the cutter is loaded less: one is shown that has this share of the most.
-_SHARE = 0.7
 
 
 def picture_of(
@@ -70,7 +69,7 @@ def _draw_path(painter: Any, drawn: Drawn, scale: colors.Scale) -> None:
     trace = drawn.trace
     z = trace.points[:, 2]
     values, is_cut = scale.values(trace), colors.is_cut(trace)
-    height = _shown_height(z[1:][is_cut], values[is_cut]) if is_cut.any() else z.min()
+    height = loaded_level(z[1:][is_cut], trace.angles[is_cut]) if is_cut.any() else z.min()
     shown = (np.abs(z[1:] - height) < _LEVEL) & (np.abs(z[:-1] - height) < _LEVEL)
     starts, ends = trace.points[:-1, :2], trace.points[1:, :2]
     flat = np.hypot(*(ends - starts).T) > _LEVEL
@@ -89,13 +88,6 @@ def _draw_path(painter: Any, drawn: Drawn, scale: colors.Scale) -> None:
         painter.setPen(_pen(QtGui.QColor.fromRgbF(*(float(c) for c in color)), width))
         lines = np.column_stack([starts, ends])[chosen].tolist()
         painter.drawLines([QtCore.QLineF(*line) for line in lines])
-
-
-def _shown_height(heights: Any, values: Any) -> float:
-    """Return the lowest height at which the values of cuts are, in the mean, much of the most."""
-    levels, of = np.unique(np.round(heights / _LEVEL), return_inverse=True)
-    means = np.bincount(of, weights=values) / np.bincount(of)
-    return float(levels[np.flatnonzero(means >= _SHARE * means.max())[0]] * _LEVEL)
 
 
 def _pen(color: Any, width: float) -> QtGui.QPen:
