@@ -43,6 +43,23 @@ def test_straight_slot_is_180_degrees():
     assert engagement.radial_depths[engagement.moves == 2] == pytest.approx(2 * R, abs=1e-6)
 
 
+@pytest.mark.parametrize("radius", [500.0, 5e3, 1e5])
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_an_arc_that_hardly_bends_reads_like_a_line(radius, side):
+    reach, sag = radius * math.sin(40.0 / radius), radius * (1 - math.cos(40.0 / radius))
+    builder, arcs = started(), []
+    for y in (0.0, 2.4):
+        lines(builder, (0.0, y))
+        end = (reach, y + side * sag, FLOOR)
+        builder.arc(end, (0.0, y + side * radius), side > 0, FEED, Role.CUT)
+        arcs.append(last_move(builder))
+        lines(builder, end[:2], (0.0, y), z=1.0)
+    engagement = measured(builder)
+    slot, beside = (on_move(engagement, arc, margin=2 * R) for arc in arcs)
+    assert slot == pytest.approx(180.0, abs=1e-3)
+    assert beside == pytest.approx(math.degrees(math.acos(1 - 2.4 / R)), abs=0.5)
+
+
 @pytest.mark.parametrize("stepover", [0.05, 0.6, 2.4, 3.0, 5.0, 5.99])
 def test_parallel_pass_is_engaged_by_its_stepover(stepover):
     builder = lines(started(), (60.0, 0.0), (60.0, stepover), (0.0, stepover))

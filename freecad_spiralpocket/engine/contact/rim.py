@@ -24,7 +24,7 @@ from .swept import Pieces
 #: The cutter's own trail is taken up to this many radii behind its center: at the very
 #: center the bearing is undefined.
 OWN_TRAIL_GAP = 1e-6
-#: Nearer than this [mm, rad] the cutter center is back on earlier motion: all is cleared.
+#: Nearer than this [mm] the cutter center is back on earlier motion: all is cleared.
 SAME_PLACE = 1e-9
 
 
@@ -150,7 +150,10 @@ def cleared_by_arcs(
         pair = np.flatnonzero((cos_span < 1.0) & (t0 < t1))
         t0, t1 = t0[pair], t1[pair]
         low, high = _arc_interval(t0, t1, rho[pair], far[pair], r)
-        again = (np.abs(far - rho)[pair] < SAME_PLACE) & (t0 < SAME_PLACE) & (t1 > -SAME_PLACE)
+        # along the circle too: on a wide one the own trail's gap is a tiny angle
+        along = rho[pair]
+        again = (np.abs(far - rho)[pair] < SAME_PLACE) & (along * t0 < SAME_PLACE)
+        again &= along * t1 > -SAME_PLACE
         low, high = np.where(again, -np.pi, low), np.where(again, np.pi, high)
         shift = bearing[pair] - headings[pair]
         parts.append((pair, shift + low, shift + high))
