@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pockets planned in several processes come out as they do one by one, whatever fails."""
+"""What is planned in several processes comes out as it does one by one, whatever fails."""
 
 import os
 import signal
 import sys
 import threading
 import time
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 
 import pytest
@@ -15,12 +15,12 @@ from shapely import box
 sys.path.insert(0, str(Path(__file__).parent / "engine"))
 from shapes import request
 
-from freecad_spiralpocket.beside import crew
+from freecad_spiralpocket.beside import crew, tasks
 from freecad_spiralpocket.beside.crew import plan_together
 from freecad_spiralpocket.beside.interpreters import Interpreters
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import CancelledError, SpiralPocketError
-from freecad_spiralpocket.engine.model import Cutting, Strategy
+from freecad_spiralpocket.engine.model import Cutting, Heights, Section, Strategy
 
 
 def rectangle(width, height=20.0, stepover=2.4):
@@ -56,7 +56,7 @@ class Watched:
     def __init__(self, monkeypatch, meddle=lambda process: None):
         self.begun = self.planned = 0
         self._until = time.monotonic() + 60
-        original = crew._Helper._has_planned
+        original = crew._Helper._has_done
 
         def has_planned(helper, process, number):
             self.begun += 1
@@ -65,12 +65,12 @@ class Watched:
             self.planned += done
             return done
 
-        monkeypatch.setattr(crew._Helper, "_has_planned", has_planned)
+        monkeypatch.setattr(crew._Helper, "_has_done", has_planned)
 
     def progress(self, fraction, stage):
         """Wait, as the pockets are small, for a helper to have begun one; a minute in all."""
         assert 0.0 <= fraction <= 1.0
-        while not self.begun and time.monotonic() < self._until:
+        while "Laying" in stage and not self.begun and time.monotonic() < self._until:
             time.sleep(0.01)
         return False
 
@@ -164,3 +164,57 @@ def test_error_in_the_add_on_is_raised_here(monkeypatch):
 def test_one_pocket_needs_no_process(monkeypatch):
     monkeypatch.setattr(crew, "_Helper", None)
     assert len(plan_together(MANY[:1])) == 1
+
+
+def drafted(widest=26.0):
+    """Return the request for a pocket of three levels with other walls each."""
+    outlines = [box(0, 0, widest - 2 * i, 20 - 2 * i) for i in range(3)]
+    sections = tuple(Section(-2.0 * (i + 1), outline) for i, outline in enumerate(outlines))
+    heights = Heights(8.0, 3.0, 0.0, -6.0, 2.0)
+    made = request(outlines[-1], sections=sections, heights=heights)
+    return replace(made, strategy=Strategy.LINEAR_MORPH)
+
+
+def test_levels_of_one_pocket_come_out_as_one_by_one(monkeypatch):
+    watched = Watched(monkeypatch)
+    (made,) = plan_together([drafted()], watched.progress, helpers=2)
+    assert watched.planned > 0
+    one_by_one = plan(drafted())
+    assert paths_of(made) == paths_of(one_by_one)
+    assert made.report.notices == one_by_one.report.notices
+
+
+def test_levels_that_cannot_be_cut_come_back(monkeypatch):
+    wide, narrow = box(0, 0, 30, 20), box(0, 0, 30, 6.02)
+    heights = Heights(8.0, 3.0, 0.0, -4.0, 2.0)
+    made = request(narrow, sections=(Section(-2.0, wide), Section(-4.0, narrow)), heights=heights)
+    made = replace(made, strategy=Strategy.CENTRAL_SPIRAL)
+    watched = Watched(monkeypatch)
+    (planned,) = plan_together([made], watched.progress, helpers=1)
+    assert watched.planned == 1
+    assert planned.toolpath.points[:, 2].min() == -2.0
+    assert planned.report.notices == plan(made).report.notices != ()
+
+
+def test_the_window_s_plans_have_their_levels_laid_at_once(monkeypatch):
+    monkeypatch.setattr(tasks, "cores", lambda: 4)
+    watched = Watched(monkeypatch)
+    drawn = tasks.Tasks().plan(drafted(), watched.progress)
+    assert watched.planned > 0
+    assert paths_of(drawn.plan) == paths_of(plan(drafted()))
+
+
+def test_stopping_ends_the_processes_of_levels(monkeypatch):
+    processes = []
+    Watched(monkeypatch, processes.append)
+    fine = drafted(150.0)
+    fine = replace(fine, cutting=Cutting(0.05))
+
+    def progress(fraction, stage):
+        time.sleep(0.02)
+        return bool(processes)
+
+    with pytest.raises(CancelledError):
+        plan_together([fine], progress, helpers=1)
+    (process,) = processes
+    assert process.wait(5) is not None

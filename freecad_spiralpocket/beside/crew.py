@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pockets of an operation planned at once, here and in processes beside FreeCAD.
+"""Pockets, or the levels of one pocket, planned at once: here and in processes beside FreeCAD.
 
-This process never waits for another to start: it plans pocket after pocket, and whoever
+This process never waits for another to start: it plans one after the other, and whoever
 else is ready takes the next one. So a few small pockets are done before a process is
 there, many take a share of the time, and where there is no interpreter for one nothing is
-lost. A process that ends too early or fails puts its pocket back, and it is planned here.
+lost. A process that ends too early or fails puts its job back, and it is done here.
 """
 
 from __future__ import annotations
@@ -15,12 +15,17 @@ import struct
 import subprocess
 import sys
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
+
+from shapely import Polygon
 
 from ..engine import plan
 from ..engine.errors import CancelledError, SpiralPocketError
-from ..engine.model import Plan, PocketRequest, Progress
+from ..engine.floor import FloorPath
+from ..engine.floor_paths import floor_path
+from ..engine.model import Plan, PocketRequest, Progress, Tick
 from .interpreters import SCRIPT, Interpreters, cores
 from .tasks import versions
 
@@ -35,6 +40,8 @@ def plan_together(
 ) -> list[Plan | SpiralPocketError]:
     """Return a plan for each request, or what is the matter with it; the same as one by one.
 
+    Of a single pocket the levels are laid at once, where their walls differ.
+
     Parameters
     ----------
     requests : sequence of PocketRequest
@@ -47,72 +54,135 @@ def plan_together(
     CancelledError
         If `progress` says so; the processes are ended.
     """
-    work = _Work(requests)
-    count = min(helpers, len(requests) - 1)
-    # asked here: two threads that import the same library at once may find it half there
-    alike = versions() if count > 0 else ()
-    crew = [_Helper(work, alike) for _ in range(count)]
-    try:
-        for helper in crew:
-            helper.start()
-        while not work.is_done:
-            number = work.take()
-            if number is None:
-                work.wait(WAIT)
-                if progress is not None and progress(*work.how_far("")):
-                    raise CancelledError(
-                        "Stopped by the user.", "Recompute the operation to try again."
-                    )
-            else:
-                work.finish(number, _planned(requests[number], work.progress_of(number, progress)))
-    finally:
-        for helper in crew:
-            helper.stop()
-    return [pickle.loads(o) if isinstance(o, bytes) else o for o in work.outcomes]
+    if len(requests) == 1:
+        return [_planned(requests[0], progress, helpers)]
+    work = _Work([("packed_plan", request) for request in requests])
+
+    def here(number: int) -> Plan | SpiralPocketError:
+        return _planned(requests[number], work.progress_of(number, progress), 0)
+
+    return work.outcome(here, lambda: _ask(progress, *work.how_far("")), helpers)
 
 
-def _planned(request: PocketRequest, progress: Progress | None) -> Plan | SpiralPocketError:
+def lay_together(
+    regions: Sequence[Polygon], request: PocketRequest, tick: Tick, helpers: int = HELPERS
+) -> list[FloorPath | SpiralPocketError]:
+    """Return the path of each region or what is the matter with it; a `FloorPaths`.
+
+    Parameters
+    ----------
+    regions : sequence of shapely.Polygon
+    request : PocketRequest
+    tick : callable
+    helpers : int
+        Processes to start at most.
+
+    Raises
+    ------
+    CancelledError
+        If `tick` does; the processes are ended.
+    """
+    work = _Work([("packed_floor_path", (region, request)) for region in regions])
+
+    def here(number: int) -> FloorPath | SpiralPocketError:
+        def tick_one(done: float) -> None:
+            work.advance(number, done)
+            tick(work.share)
+
+        return floor_path(regions[number], request, tick_one)
+
+    return work.outcome(here, lambda: tick(work.share), helpers)
+
+
+def _planned(
+    request: PocketRequest, progress: Progress | None, helpers: int
+) -> Plan | SpiralPocketError:
     """Return a pocket's plan, or what is the matter with it."""
     try:
-        return plan(request, progress)
+        return plan(request, progress, partial(lay_together, helpers=helpers))
     except CancelledError:
         raise
     except SpiralPocketError as error:
         return error
 
 
-class _Work:
-    """The pockets: which wait, which are being planned, and what has come of them."""
+def _ask(progress: Progress | None, fraction: float, stage: str) -> None:
+    """Tell how far all is; raise if the user wants to stop."""
+    if progress is not None and progress(fraction, stage):
+        raise CancelledError
 
-    def __init__(self, requests: Sequence[PocketRequest]) -> None:
-        self.requests = requests
-        self.outcomes: list[Any] = [None] * len(requests)
-        self._waiting = list(range(len(requests)))
-        self._fractions = [0.0] * len(requests)
+
+class _Work:
+    """The jobs: which wait, which are being done, and what has come of them.
+
+    Parameters
+    ----------
+    jobs : sequence of tuple
+        The task that a process is asked for, and its argument.
+    """
+
+    def __init__(self, jobs: Sequence[tuple[str, Any]]) -> None:
+        self.jobs = jobs
+        self._outcomes: list[Any] = [None] * len(jobs)
+        self._waiting = list(range(len(jobs)))
+        self._fractions = [0.0] * len(jobs)
         self._changed = threading.Condition()
 
+    def outcome(
+        self, here: Callable[[int], Any], ask: Callable[[], None], helpers: int
+    ) -> list[Any]:
+        """Return what comes of all jobs.
+
+        Parameters
+        ----------
+        here : callable
+            Does a job in this process, by its number.
+        ask : callable
+            Called now and then while this process waits for others; raises if all is to stop.
+        helpers : int
+            Processes to start at most.
+        """
+        count = min(helpers, len(self.jobs) - 1)
+        # asked here: two threads that import the same library at once may find it half there
+        alike = versions() if count > 0 else ()
+        crew = [_Helper(self, alike) for _ in range(count)]
+        try:
+            for helper in crew:
+                helper.start()
+            while not self._is_done:
+                number = self.take()
+                if number is None:
+                    self._wait(WAIT)
+                    ask()
+                else:
+                    self.finish(number, here(number))
+        finally:
+            for helper in crew:
+                helper.stop()
+        return [pickle.loads(o) if isinstance(o, bytes) else o for o in self._outcomes]
+
     @property
-    def is_done(self) -> bool:
+    def _is_done(self) -> bool:
         """Return whether all have come to something."""
         with self._changed:
-            return all(outcome is not None for outcome in self.outcomes)
+            return all(outcome is not None for outcome in self._outcomes)
 
     def take(self) -> int | None:
-        """Return the next one that nobody plans, None if there is none."""
+        """Return the next one that nobody does, None if there is none."""
         with self._changed:
             return self._waiting.pop(0) if self._waiting else None
 
     def put_back(self, number: int) -> None:
-        """Let somebody else plan one."""
+        """Let somebody else do one."""
         with self._changed:
             self._waiting.insert(0, number)
             self._fractions[number] = 0.0
             self._changed.notify_all()
 
-    def finish(self, number: int, outcome: Plan | bytes | SpiralPocketError) -> None:
-        """Note what has come of one: its plan, perhaps pickled, or why there is none."""
+    def finish(self, number: int, outcome: Any) -> None:
+        """Note what has come of one, perhaps pickled."""
         with self._changed:
-            self.outcomes[number] = outcome
+            self._outcomes[number] = outcome
             self._fractions[number] = 1.0
             self._changed.notify_all()
 
@@ -120,18 +190,22 @@ class _Work:
         """Note how far one is."""
         self._fractions[number] = fraction
 
-    def wait(self, seconds: float) -> None:
+    def _wait(self, seconds: float) -> None:
         """Wait until one is done or put back, at most so long."""
         with self._changed:
-            if not self._waiting and any(outcome is None for outcome in self.outcomes):
+            if not self._waiting and any(outcome is None for outcome in self._outcomes):
                 self._changed.wait(seconds)
+
+    @property
+    def share(self) -> float:
+        """Return the share of all that is done."""
+        return sum(self._fractions) / len(self.jobs)
 
     def how_far(self, stage: str) -> tuple[float, str]:
         """Return the share of all that is done, and the stage with the number of the pocket."""
-        count = len(self.requests)
-        done = sum(outcome is not None for outcome in self.outcomes)
-        prefix = f"Pocket {min(done + 1, count)} of {count}: " if count > 1 else ""
-        return sum(self._fractions) / count, prefix + stage
+        count = len(self.jobs)
+        done = sum(outcome is not None for outcome in self._outcomes)
+        return self.share, f"Pocket {min(done + 1, count)} of {count}: {stage}"
 
     def progress_of(self, number: int, progress: Progress | None) -> Progress | None:
         """Return the progress of one of them as a part of the whole."""
@@ -146,7 +220,7 @@ class _Work:
 
 
 class _Helper(threading.Thread):
-    """A process that plans what waits, one pocket after the other, and the thread that leads it."""
+    """A process that does what waits, one job after the other, and the thread that leads it."""
 
     def __init__(self, work: _Work, versions: tuple[str, ...]) -> None:
         super().__init__(daemon=True)
@@ -170,7 +244,7 @@ class _Helper(threading.Thread):
             self._process.kill()
 
     def _has_led(self, python: str) -> bool:
-        """Let a process plan until nothing waits; return whether the interpreter is of use."""
+        """Let a process work until nothing waits; return whether the interpreter is of use."""
         try:
             process = subprocess.Popen(
                 [python, "-u", str(SCRIPT)],
@@ -185,7 +259,7 @@ class _Helper(threading.Thread):
         try:
             if self._is_stopped or not self._is_ready(process):
                 return False
-            while (number := self._work.take()) is not None and self._has_planned(process, number):
+            while (number := self._work.take()) is not None and self._has_done(process, number):
                 continue
             return True
         finally:
@@ -197,11 +271,11 @@ class _Helper(threading.Thread):
         _send(process, [p for p in sys.path if isinstance(p, str)])
         return _received(process) == ("ready", self._versions)
 
-    def _has_planned(self, process: subprocess.Popen[bytes], number: int) -> bool:
-        """Have a pocket planned; return whether that went well, else it is put back."""
+    def _has_done(self, process: subprocess.Popen[bytes], number: int) -> bool:
+        """Have a job done; return whether that went well, else it is put back."""
         outcome = None
         try:
-            _send(process, ("packed_plan", self._work.requests[number]))
+            _send(process, self._work.jobs[number])
             outcome = self._outcome(process, number)
         finally:
             if outcome is None:

@@ -13,11 +13,16 @@ import pickle
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .interpreters import cores
+
 if TYPE_CHECKING:
+    from shapely import Polygon
+
     from ..engine.draft import Draft, Opening
     from ..engine.model import Plan, PocketRequest, Progress
     from ..trace import Areas, Trace
@@ -26,6 +31,8 @@ if TYPE_CHECKING:
 KEPT = 64
 #: A pocket is opened as before while the stock to leave differs by no more than this, over R.
 ALIKE = 0.1
+#: Further processes for the levels of one pocket, at most: others may be planned beside it.
+SPARE = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,12 +96,25 @@ class Tasks:
 
         return pickle.dumps(plan(request, progress), pickle.HIGHEST_PROTOCOL)
 
+    def packed_floor_path(self, asked: tuple[Polygon, PocketRequest], progress: Progress) -> bytes:
+        """Return the path of a region or what is the matter with it, pickled."""
+        from ..engine.errors import CancelledError
+        from ..engine.floor_paths import floor_path
+
+        def tick(done: float) -> None:
+            if progress(done, ""):
+                raise CancelledError
+
+        return pickle.dumps(floor_path(*asked, tick), pickle.HIGHEST_PROTOCOL)
+
     def plan(self, request: PocketRequest, progress: Progress) -> Drawn:
         """Return the proved plan, drawn."""
         from ..engine.planner import plan
         from ..trace import areas_of, trace_of
+        from .crew import lay_together
 
-        made = plan(request, progress)
+        spare = max(0, min(SPARE, cores() - 2))  # this one and the window have one each
+        made = plan(request, progress, partial(lay_together, helpers=spare))
         return Drawn(made, trace_of(made), areas_of(made))
 
     def adaptive(self, request: PocketRequest, _: Progress) -> Drawn:

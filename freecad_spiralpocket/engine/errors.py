@@ -94,6 +94,14 @@ class SetupError(SpiralPocketError):
 class CancelledError(SpiralPocketError):
     """The user pressed Stop."""
 
+    def __init__(
+        self,
+        message: str = "Stopped by the user.",
+        hint: str = "Recompute the operation to try again.",
+        place: tuple[float, float] | None = None,
+    ) -> None:
+        super().__init__(message, hint, place)
+
 
 def told_area(area: float) -> str:
     """Return an area [mm2] as it is told: whole, a small one with two digits."""

@@ -9,10 +9,9 @@ after.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from importlib import import_module
 
 import numpy as np
 import shapely
@@ -24,10 +23,10 @@ from .contact.engagement import Engagement, engagement_of
 from .dependencies import require_libraries
 from .errors import AlreadyClearedError, CancelledError, ProofError, SpiralPocketError
 from .floor import FloorPath
+from .floor_paths import FloorPaths, floor_path, floor_paths
 from .growth.front_rules import MEETING
 from .levels import levels_of
 from .machine import machine_of
-from .mirroring import mirrored, mirrored_request
 from .model import (
     CutMode,
     Notice,
@@ -36,42 +35,24 @@ from .model import (
     Progress,
     SplineCurve,
     Strategy,
-    Tick,
 )
 from .motion.feed import FeedRules, plan_feeds
 from .motion.stations import ends_of, moves_at, stations_of
 from .opening.leftovers import is_left
-from .opening.open_sides import needed
 from .proof.verify import prove
 from .rendering import Cut, render
 from .repair import Proved, badness, repaired
 from .rooms import Room, rooms_of
 from .shapes.region import grow
-from .sizes import planned_resized
 from .toolpath import Toolpath
 
 #: Points of an outline that matter less than this are left out where most do [mm].
 CROWD = 5e-4
 
 
-def _by(module: str, region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath:
-    """Return the path by a module of `laps`, which is loaded when it is asked for.
-
-    Some need parts of scipy that take as long to load as Automatic takes for a small pocket.
-    """
-    return import_module(f".laps.{module}", __package__).floor_path(region, request, tick)
-
-
-_STRATEGIES: dict[Strategy, Callable[[Polygon, PocketRequest, Tick], FloorPath]] = {
-    Strategy.AUTOMATIC: partial(_by, "automatic"),
-    Strategy.LINEAR_MORPH: partial(_by, "linear_morph"),
-    Strategy.EXTENDED_ARCHIMEDEAN: partial(_by, "extended_archimedean"),
-    Strategy.ISOTHERM: partial(_by, "isotherm"),
-    Strategy.CENTRAL_SPIRAL: partial(_by, "central"),
-}
-
-
-def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
+def plan(
+    request: PocketRequest, progress: Progress | None = None, lay: FloorPaths = floor_paths
+) -> Plan:
     """Plan the toolpath of one pocket, and prove it.
 
     Parameters
@@ -79,6 +60,8 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     request : PocketRequest
     progress : callable, optional
         See `model.Progress`.
+    lay : callable, optional
+        Who lays the paths of all regions; by default one after the other, here.
 
     Returns
     -------
@@ -95,7 +78,7 @@ def plan(request: PocketRequest, progress: Progress | None = None) -> Plan:
     check_request(request)
     asked, request = request, _without_crowds(request)
     rooms, notices = _rooms_with_stock(request)
-    cuts, uncut = _cuts(rooms, request, progress)
+    cuts, uncut = _cuts(rooms, request, progress, lay)
     done = {cut.room for cut in cuts}
     missed = [grow(r.region, request.cutter_radius) for r in rooms if r not in done]
     prove_cuts = partial(
@@ -220,7 +203,7 @@ def _planned_again(
     def tick(done: float) -> None:
         _tell(progress, 0.8 + 0.1 * done, "Repairing the path")
 
-    path = _floor_path(region, request, tick)
+    path = floor_path(region, request, tick)
     if not isinstance(path, FloorPath):
         return None
     used[id(path.entry)] = request
@@ -297,33 +280,29 @@ def _with_feeds(toolpath: Toolpath, request: PocketRequest) -> tuple[Toolpath, E
 def _tell(progress: Progress | None, done: float, stage: str) -> None:
     """Report progress; raise if the user cancelled."""
     if progress is not None and progress(done, stage):
-        raise CancelledError("Stopped by the user.", "Recompute the operation to try again.")
+        raise CancelledError
 
 
 def _cuts(
-    rooms: Sequence[Room], request: PocketRequest, progress: Progress | None
+    rooms: Sequence[Room], request: PocketRequest, progress: Progress | None, lay: FloorPaths
 ) -> tuple[list[Cut], tuple[Notice, ...]]:
     """Return a path for each room that can be cut, and a notice for each that cannot.
 
     Rooms with the same region have the same path; under a room that is not cut none is.
     """
+
+    def tick(done: float) -> None:
+        _tell(progress, 0.1 + 0.6 * done, "Laying the spiral")
+
     regions = {room.region.wkb: room.region for room in rooms}
-    paths: dict[bytes, FloorPath | SpiralPocketError] = {}
+    paths = dict(zip(regions, lay([*regions.values()], request, tick), strict=True))
     cuts: list[Cut] = []
     failures: list[SpiralPocketError] = []
     cut_rooms: set[Room | None] = {None}
     for room in rooms:
+        path = paths[room.region.wkb]
         if room.above not in cut_rooms:
             continue
-        key = room.region.wkb
-        if key not in paths:
-
-            def tick(done: float, finished: int = len(paths)) -> None:
-                share = (finished + done) / len(regions)
-                _tell(progress, 0.1 + 0.6 * share, "Laying the spiral")
-
-            paths[key] = _floor_path(room.region, request, tick)
-        path = paths[key]
         if isinstance(path, FloorPath):
             cuts.append(Cut(room, path))
             cut_rooms.add(room)
@@ -335,29 +314,6 @@ def _cuts(
         Notice(f"{error.message} That part stays uncut.", error.hint, error.place)
         for error in failures
     )
-
-
-def _floor_path(
-    region: Polygon, request: PocketRequest, tick: Tick
-) -> FloorPath | SpiralPocketError:
-    """Return the path of one region, or what is the matter with it."""
-    is_mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
-    strategy = _STRATEGIES[request.strategy]
-    tick(0.0)
-    if is_mirrored:
-        region, request = mirrored(region), mirrored_request(request)
-    if request.strategy is not Strategy.AUTOMATIC:
-        part = needed(region, request)
-        # a ring about what was cleared before would have an island that is none
-        region = part if len(part.interiors) == len(region.interiors) else region
-    try:
-        return planned_resized(strategy, region, request, tick)
-    except CancelledError:
-        raise
-    except SpiralPocketError as error:
-        if is_mirrored and error.place is not None:
-            error.place = (-error.place[0], error.place[1])
-        return error
 
 
 def _curves(cuts: Sequence[Cut], request: PocketRequest) -> tuple[SplineCurve, ...]:

@@ -16,9 +16,9 @@ def test_a_process_plans_a_share(doc, monkeypatch):
     part = parts.add_part(doc, block)
     job = parts.add_job(doc, part)
     begun, planned = [], []
-    plan_one = crew._Helper._has_planned
+    plan_one = crew._Helper._has_done
 
-    def has_planned(helper, process, number):
+    def has_done(helper, process, number):
         begun.append(number)
         planned.append(plan_one(helper, process, number))
         return planned[-1]
@@ -30,7 +30,7 @@ def test_a_process_plans_a_share(doc, monkeypatch):
             time.sleep(0.01)
         return False
 
-    monkeypatch.setattr(crew._Helper, "_has_planned", has_planned)
+    monkeypatch.setattr(crew._Helper, "_has_done", has_done)
     paths = []
     for helpers in (0, 1):
 

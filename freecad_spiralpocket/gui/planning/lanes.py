@@ -72,9 +72,7 @@ def plan_all(
         while not all(job.is_done for job in jobs):
             proofs.wait(WAIT)
             if progress is not None and progress(*_how_far(jobs)):
-                raise CancelledError(
-                    "Stopped by the user.", "Recompute the operation to try again."
-                )
+                raise CancelledError
     finally:
         for job in jobs:
             proofs.give_up(job)
