@@ -58,14 +58,14 @@ class Watched:
         self._until = time.monotonic() + 60
         original = crew._Helper._has_done
 
-        def has_planned(helper, process, number):
+        def has_done(helper, process, number):
             self.begun += 1
             meddle(process)
             done = original(helper, process, number)
             self.planned += done
             return done
 
-        monkeypatch.setattr(crew._Helper, "_has_done", has_planned)
+        monkeypatch.setattr(crew._Helper, "_has_done", has_done)
 
     def progress(self, fraction, stage):
         """Wait, as the pockets are small, for a helper to have begun one; a minute in all."""

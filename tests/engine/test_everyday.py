@@ -153,8 +153,8 @@ def test_a_slim_arm_of_a_plug_does_not_hide_the_rest_of_it(proofs):
     assert result.report.uncut_area < 0.01 and len(proofs) == 1
 
 
-def kinks(result: Plan) -> int:
-    """Return how many turns over 20 degrees on the spot there are at depth, off the walls."""
+def kinks(result: Plan, at_walls: bool = False) -> int:
+    """Return how many turns over 20 degrees on the spot there are at depth, off walls or at all."""
     path = result.toolpath
     floor = path.points[:, 2].min() + 1e-6
     flat = (path.points[:, 2] < floor) & (path.starts[:, 2] < floor)
@@ -173,7 +173,7 @@ def kinks(result: Plan) -> int:
     turns = np.abs((leaving[1:] - arriving[:-1] + np.pi) % (2 * np.pi) - np.pi)
     long = path.lengths > 1e-3
     wall = result.request.pocket.boundary.buffer(result.request.cutter_radius + 0.05)
-    free = ~shapely.contains_xy(wall, path.points[:-1, :2])
+    free = at_walls | ~shapely.contains_xy(wall, path.points[:-1, :2])
     sharp = (turns > math.radians(20)) & flat[1:] & flat[:-1] & long[1:] & long[:-1] & free
     return int(sharp.sum())
 
@@ -183,6 +183,15 @@ def test_fronts_that_meet_have_no_hooks_however_wide_the_step(share):
     bosses = [Point(x, y).buffer(6) for x in (-35, 35) for y in (-22, 22)]
     plate = box(-50, -35, 50, 35).buffer(-6).buffer(6).difference(shapely.union_all(bosses))
     assert kinks(planned(plate, 6 * share)) < 10
+
+
+@pytest.mark.parametrize("gap", [7.5, 9.0, 11.0])
+def test_strokes_between_bosses_come_to_them_and_leave_them_smoothly(gap):
+    bosses = [Point(0, y).buffer(4, quad_segs=16) for y in (-4 - gap / 2, 4 + gap / 2)]
+    plate = rounded(box(-35, -29, 35, 29), 4.0).difference(shapely.union_all(bosses))
+    result = planned(plate, 0.9)
+    assert kinks(result, at_walls=True) < 6
+    assert result.report.over_limit_share < 0.003
 
 
 @pytest.mark.parametrize("name", ["dog bones", "channel", "island by the wall"])

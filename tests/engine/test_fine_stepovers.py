@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from itertools import islice
 
 import pytest
 import shapely
@@ -14,7 +15,9 @@ from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.growth.front_rules import ROUNDED, rules_of
+from freecad_spiralpocket.engine.growth.fronts import fronts_from
 from freecad_spiralpocket.engine.model import Cutting, Strategy
+from freecad_spiralpocket.engine.shapes.shaping import oriented
 from freecad_spiralpocket.engine.stepover import over_limit
 
 #: Slim corners: a plug's laps turn sharply there.
@@ -44,3 +47,16 @@ def test_where_fronts_round_into_walls_engagement_passes_the_limit_by_so_much(st
     # the half ahead of the cutter
     angle = rules.limit + ROUNDED * (over_limit(rules.limit) - rules.limit)
     assert left.length / 2 / 3.0 == pytest.approx(angle, rel=1e-2)
+
+
+@pytest.mark.parametrize("hole", [18.0, 22.0])
+def test_what_stands_in_a_ring_of_bosses_is_cut_step_by_step(hole):
+    turns = [math.radians(45 * i) for i in range(8)]
+    bosses = [Point(36 * math.cos(turn), 36 * math.sin(turn)).buffer(12) for turn in turns]
+    omega = oriented(box(-60, -60, 60, 60).difference(shapely.union_all(bosses)))
+    visited = oriented(omega.difference(Point(0, 0).buffer(hole)))
+    rules = rules_of(make_request(box(-63, -63, 63, 63), cutting=Cutting(stepover=0.9)))
+    # the ground between the bosses is narrower than the fillets of fronts
+    fronts = list(islice(fronts_from(visited, omega, rules), 200))
+    assert len(fronts) < 1.5 * hole / rules.stepover
+    assert omega.difference(fronts[-1]).area < 1.0

@@ -10,7 +10,7 @@ from shapely.ops import substring
 from shapes import HEIGHTS, SQUARE, rounded
 from shapes import request as request_of
 
-from freecad_spiralpocket.engine import plan, planner
+from freecad_spiralpocket.engine import floor_paths, plan, planner
 from freecad_spiralpocket.engine.errors import NotYetError, ProofError
 from freecad_spiralpocket.engine.floor import FloorPath, Pass
 from freecad_spiralpocket.engine.laps import linear_morph
@@ -97,9 +97,9 @@ def use(monkeypatch):
     """Return a function that plans the square by a strategy in Automatic's place."""
 
     def plan_by(strategy, other=sound, last=None, **changes):
-        monkeypatch.setitem(planner._STRATEGIES, Strategy.AUTOMATIC, strategy)
-        monkeypatch.setitem(planner._STRATEGIES, Strategy.LINEAR_MORPH, other)
-        monkeypatch.setitem(planner._STRATEGIES, Strategy.EXTENDED_ARCHIMEDEAN, last or other)
+        monkeypatch.setitem(floor_paths._STRATEGIES, Strategy.AUTOMATIC, strategy)
+        monkeypatch.setitem(floor_paths._STRATEGIES, Strategy.LINEAR_MORPH, other)
+        monkeypatch.setitem(floor_paths._STRATEGIES, Strategy.EXTENDED_ARCHIMEDEAN, last or other)
         return plan(request_of(SQUARE, strategy=Strategy.AUTOMATIC, **changes))
 
     return plan_by
@@ -225,7 +225,7 @@ def test_only_the_room_that_is_sick_is_planned_again(use, monkeypatch):
 
     rooms = [rounded(box(x, 0, x + 30, 24), 4.0) for x in (-40, 10)]
     both = rooms[0].union(rooms[1]).union(box(-12, 10, 12, 14))  # a neck too narrow for the cutter
-    monkeypatch.setitem(planner._STRATEGIES, Strategy.AUTOMATIC, strategy)
+    monkeypatch.setitem(floor_paths._STRATEGIES, Strategy.AUTOMATIC, strategy)
     made = plan(request_of(both, strategy=Strategy.AUTOMATIC))
     assert made.report.gouge <= made.request.tolerance
     assert sorted(planned) == [(False, 2.4), (True, pytest.approx(0.93 * 2.4)), (True, 2.4)]
@@ -250,7 +250,7 @@ def test_ground_in_a_room_without_a_path_is_no_fault(use, monkeypatch):
 
     rooms = [rounded(box(x, 0, x + 30, 24), 4.0) for x in (-40, 10)]
     both = rooms[0].union(rooms[1]).union(box(-12, 10, 12, 14))
-    monkeypatch.setitem(planner._STRATEGIES, Strategy.AUTOMATIC, strategy)
+    monkeypatch.setitem(floor_paths._STRATEGIES, Strategy.AUTOMATIC, strategy)
     made = plan(request_of(both, strategy=Strategy.AUTOMATIC))
     assert made.report.uncut_area > 100 and len(proofs) == 1
 

@@ -7,8 +7,8 @@ smallest fillet whose bite the engagement allows, the last into the corner itsel
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from functools import lru_cache
+from collections.abc import Callable, Iterator
+from functools import lru_cache, partial
 
 import shapely
 from shapely import Polygon
@@ -27,7 +27,7 @@ from ..shapes.shaping import (
     thick_parts,
 )
 from .front_rules import FrontRules
-from .fronts import MAX_FRONTS
+from .fronts import MAX_FRONTS, NECK_FILLETS, advance_narrowly
 
 #: Fillet radii tried in the corners, over R; the smallest whose bite keeps below a share of the
 #: step-over is taken at once.
@@ -39,6 +39,8 @@ ROUND_BITES, SHARP_BITES = (0.65, 0.65), (0.5, 0.5)
 LAST = 0.98
 #: A corner is sharp if the first of the fillets leaves more than this of it, over R.
 SHARP = 0.03
+#: A front that takes this share of what a step does without fillets is as good, and smooth.
+AS_GOOD = 0.6
 #: What is farther from a corner does not matter there [mm].
 AROUND = 0.1
 
@@ -50,7 +52,8 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Itera
         if len(rest) == 0:
             return
         shapely.prepare(visited)
-        pieces = [_corner_step(piece, visited, omega, rules) for piece in rest]
+        narrow = lru_cache(partial(advance_narrowly, visited, omega, rules))
+        pieces = [_corner_step(piece, visited, omega, rules, narrow) for piece in rest]
         wider = shapely.union_all([visited, *pieces])
         wider = oriented(largest(closing_of(wider, 1e-4)))
         if wider.area - visited.area < 1e-4:
@@ -65,8 +68,14 @@ def _filleted(omega: Polygon, radius: float) -> Region:
     return opening_of(omega, radius)
 
 
-def _corner_step(piece: Polygon, visited: Polygon, omega: Polygon, rules: FrontRules) -> Region:
-    """Return the part of a corner that the next stroke takes."""
+def _corner_step(
+    piece: Polygon,
+    visited: Polygon,
+    omega: Polygon,
+    rules: FrontRules,
+    narrow: Callable[[float], Polygon],
+) -> Region:
+    """Return the part of a corner that the next stroke takes; `narrow` as `advance_narrowly`."""
     tips = shapely.points(shapely.get_coordinates(piece))
     rounded = _filleted(omega, CORNER_FILLETS[1] * rules.cutter_radius)
     sharp = not shapely.dwithin(rounded, tips, SHARP * rules.cutter_radius).all()
@@ -87,6 +96,11 @@ def _corner_step(piece: Polygon, visited: Polygon, omega: Polygon, rules: FrontR
             rim, _ = rim_points(taken, rules.stepover)
             if are_within(visited, rim, rules.stepover).all():
                 return taken
-    # deeper than any fillet: one ordinary step into it
+    # deeper than any fillet: an ordinary front, or one step into it that leaves walls at an angle
     wider = grow_prepared(visited, bite * rules.stepover)
-    return shapely.intersection(piece, clipped(wider, around))
+    step = shapely.intersection(piece, clipped(wider, around))
+    for share in NECK_FILLETS:
+        taken = shapely.intersection(narrow(share), piece)
+        if taken.area > AS_GOOD * step.area:
+            return taken
+    return step

@@ -68,6 +68,9 @@ STRAIGHT = 0.0005
 FLAT = 0.002
 #: Growth ends when a step adds less than this share of the last stroke's area.
 STALLED = 0.02
+#: So does one whose new ground is nowhere wider than this over the step-over: where an opening
+#: takes more than the step has added, fronts are hairs.
+CREEP = 0.1
 #: A stroke before a corner is not worth its link that cuts less than this over the step-over.
 SCRAP = 0.35
 #: Ribs below this area are not worth that, over R and the step-over.
@@ -77,6 +80,8 @@ TIP_HEIGHT = 0.01
 #: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
 #: fillet's: a corner of 30 degrees just holds that.
 ROOM = 0.6
+#: Fillets, over the rules', with which fronts go where these do not fit.
+NECK_FILLETS = (0.5, 0.25, 0.1)
 #: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
 MAX_FRONTS = 2000
 
@@ -226,11 +231,10 @@ def fronts_from(
     known = known or [oriented(without_idle_holes(start, omega, rules))]
     yield from known
     front = known[-1]
-    least = STALLED * rules.stepover * rules.cutter_radius
     wanted = best_width(front, omega, rules)
     while True:
         grown = _without_scraps(_stretched(front, omega, rules, wanted), front, omega, rules)
-        if grown.area - front.area < least:
+        if _has_stalled(grown, front, rules):
             grown = _through_neck(front, omega, rules)
             if grown is None:
                 return
@@ -286,14 +290,29 @@ def _may_have_scraps(grown: Polygon, visited: Polygon, rules: FrontRules) -> boo
     return False
 
 
+def _has_stalled(grown: Polygon, visited: Polygon, rules: FrontRules) -> bool:
+    """Return whether a front adds next to nothing, or creeps on."""
+    gained = grown.area - visited.area
+    if gained < STALLED * rules.stepover * rules.cutter_radius:
+        return True
+    creep = CREEP * rules.stepover
+    if gained > creep * visited.length:
+        return False
+    return bool(grow_coarsely(shapely.difference(grown, visited), -creep / 2).is_empty)
+
+
+def advance_narrowly(visited: Polygon, omega: Polygon, rules: FrontRules, share: float) -> Polygon:
+    """Return the next front with a share of the fillet, which enters narrower ways."""
+    return advance(visited, omega, replace(rules, fillet=share * rules.fillet))
+
+
 def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon | None:
     """Return the next front where only a neck too narrow for the fillet leads on, or None."""
     rest = shapely.difference(omega, visited)
     if shapely.buffer(rest, -ROOM * rules.fillet).is_empty:
         return None
-    for share in (0.5, 0.25, 0.1):
-        finer = replace(rules, fillet=share * rules.fillet)
-        grown = advance(visited, omega, finer)
-        if grown.area - visited.area > STALLED * rules.stepover * rules.cutter_radius:
+    for share in NECK_FILLETS:
+        grown = advance_narrowly(visited, omega, rules, share)
+        if not _has_stalled(grown, visited, rules):
             return grown
     return None

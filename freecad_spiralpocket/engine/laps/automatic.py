@@ -55,9 +55,10 @@ HOPELESS_LEVELS = 1.8
 #: What a front leaves takes longer by this than the least: in 28 starts beside the first of their
 #: pockets, wherever these were grown to their end, it was never below 1.4.
 LIKELY = 1.3
-#: No corner takes so many levels; what does is a channel hardly wider than the cutter, where
-#: strokes cannot hold the engagement. A start that leaves one is taken if it is faster by this.
-CORNER_LEVELS, CHANNEL_TOLL = 8, 1.2
+#: No corner takes so many levels at a step-over of so much over R, or the more the smaller that is;
+#: what does is a channel hardly wider than the cutter, where strokes cannot hold the engagement. A
+#: start that leaves one is taken if it is faster by this.
+CORNER_LEVELS, CORNER_STEPOVER, CHANNEL_TOLL = 8, 0.8, 1.2
 #: Of two starts that with more links is taken only if it is faster by this share: where a stroke
 #: leaves a wall the engagement jumps, and links wear the machine.
 TIE = 0.06
@@ -107,7 +108,7 @@ def _piecewise(
             here = grow_coarsely(inner, request.cutting.stepover)
             peeled = [s for s in best.steps if here.contains(LineString(s.points).centroid)]
             # in a channel strokes cannot hold the engagement
-            toll = CHANNEL_TOLL if len(peeled) > CORNER_LEVELS else 1.0
+            toll = CHANNEL_TOLL if _is_channel(len(peeled), rules_of(request)) else 1.0
             if piece.seconds + LIFT_SECONDS > toll * seconds_of(peeled, request, motion):
                 continue
         alone.append(piece)
@@ -150,7 +151,7 @@ def _fastest(
         if grown is None:
             continue
         fronts, corners = grown
-        toll = CHANNEL_TOLL if corners > CORNER_LEVELS else 1.0
+        toll = CHANNEL_TOLL if _is_channel(corners, rules) else 1.0
         if start.within is not None:
             fronts = _with_corners(fronts, start.within, within, rules)
         most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
@@ -209,6 +210,11 @@ def _searched(
     if len(steps) < WORTH_A_SEARCH:
         return steps
     return in_better_sequence(steps, runs, situation, tick)
+
+
+def _is_channel(levels: int, rules: FrontRules) -> bool:
+    """Return whether so many levels are more than a corner takes."""
+    return levels > CORNER_LEVELS * max(1.0, CORNER_STEPOVER * rules.cutter_radius / rules.stepover)
 
 
 def _check_width(region: Polygon, request: PocketRequest) -> None:
