@@ -22,7 +22,7 @@ from typing import Any
 from shapely import Polygon
 
 from ..engine import plan
-from ..engine.errors import CancelledError, SpiralPocketError
+from ..engine.errors import CancelledError, SpiralPocketError, report_progress
 from ..engine.floor import FloorPath
 from ..engine.floor_paths import floor_path
 from ..engine.model import Plan, PocketRequest, Progress, Tick
@@ -61,7 +61,7 @@ def plan_together(
     def here(number: int) -> Plan | SpiralPocketError:
         return _planned(requests[number], work.progress_of(number, progress), 0)
 
-    return work.outcome(here, lambda: _ask(progress, *work.how_far("")), helpers)
+    return work.outcome(here, lambda: report_progress(progress, *work.how_far("")), helpers)
 
 
 def lay_together(
@@ -104,12 +104,6 @@ def _planned(
         raise
     except SpiralPocketError as error:
         return error
-
-
-def _ask(progress: Progress | None, fraction: float, stage: str) -> None:
-    """Tell how far all is; raise if the user wants to stop."""
-    if progress is not None and progress(fraction, stage):
-        raise CancelledError
 
 
 class _Work:

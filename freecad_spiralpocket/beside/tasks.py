@@ -98,12 +98,11 @@ class Tasks:
 
     def packed_floor_path(self, asked: tuple[Polygon, PocketRequest], progress: Progress) -> bytes:
         """Return the path of a region or what is the matter with it, pickled."""
-        from ..engine.errors import CancelledError
+        from ..engine.errors import report_progress
         from ..engine.floor_paths import floor_path
 
         def tick(done: float) -> None:
-            if progress(done, ""):
-                raise CancelledError
+            report_progress(progress, done, "")
 
         return pickle.dumps(floor_path(*asked, tick), pickle.HIGHEST_PROTOCOL)
 

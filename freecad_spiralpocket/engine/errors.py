@@ -6,10 +6,12 @@ Each error carries three things: what is the matter (the message), a way out
 A wrong call from Python, such as an array of the wrong shape, is a plain
 `ValueError` or `TypeError` instead: it is the programmer's, not the machinist's.
 
-This module imports nothing, so that it can report that a library is missing.
+This module imports nothing but from Python itself, so that it can report that a library is missing.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 
 def tell(message: str, hint: str, place: tuple[float, float] | None) -> str:
@@ -101,6 +103,18 @@ class CancelledError(SpiralPocketError):
         place: tuple[float, float] | None = None,
     ) -> None:
         super().__init__(message, hint, place)
+
+
+def report_progress(progress: Callable[[float, str], bool] | None, done: float, stage: str) -> None:
+    """Tell a `model.Progress`, if there is one, how far all is.
+
+    Raises
+    ------
+    CancelledError
+        If it says so.
+    """
+    if progress is not None and progress(done, stage):
+        raise CancelledError
 
 
 def told_area(area: float) -> str:

@@ -21,7 +21,7 @@ from shapely.geometry.polygon import orient
 from .checks import check_request
 from .contact.engagement import Engagement, engagement_of
 from .dependencies import require_libraries
-from .errors import AlreadyClearedError, CancelledError, ProofError, SpiralPocketError
+from .errors import AlreadyClearedError, ProofError, SpiralPocketError, report_progress
 from .floor import FloorPath
 from .floor_paths import FloorPaths, floor_path, floor_paths
 from .growth.front_rules import MEETING
@@ -74,7 +74,7 @@ def plan(
         If no part of the pocket can be cut as asked, or the user cancelled; see `errors`.
     """
     require_libraries()
-    _tell(progress, 0.0, "Checking the pocket")
+    report_progress(progress, 0.0, "Checking the pocket")
     check_request(request)
     asked, request = request, _without_crowds(request)
     rooms, notices = _rooms_with_stock(request)
@@ -89,7 +89,7 @@ def plan(
     proved = repaired(prove_cuts(cuts), request, prove_cuts, again)
     toolpath, report = proved.toolpath, proved.report
     _refuse_bad(proved, request)
-    _tell(progress, 1.0, "Done")
+    report_progress(progress, 1.0, "Done")
     changed = _change_notices(proved.cuts, other, request) or _width_notices(request)
     told = (*notices, *uncut, *changed, *_start_notices(toolpath, request), *report.notices)
     report = replace(report, notices=told)
@@ -178,9 +178,9 @@ def _proved(
     drawn, owners = render(cuts, request)
     if request.cutting.cut_mode is CutMode.CONVENTIONAL:
         drawn = drawn.mirrored()
-    _tell(progress, 0.7, "Planning feeds")
+    report_progress(progress, 0.7, "Planning feeds")
     toolpath, engagement = _with_feeds(drawn, request)
-    _tell(progress, 0.8, "Proving the path")
+    report_progress(progress, 0.8, "Proving the path")
     report = prove(request, toolpath, engagement, missed)
     middles = ends_of(toolpath) - toolpath.lengths / 2  # feeds split moves
     hit = owners[moves_at(drawn, middles[sorted(report.hit_moves)])]
@@ -201,7 +201,7 @@ def _planned_again(
     """
 
     def tick(done: float) -> None:
-        _tell(progress, 0.8 + 0.1 * done, "Repairing the path")
+        report_progress(progress, 0.8 + 0.1 * done, "Repairing the path")
 
     path = floor_path(region, request, tick)
     if not isinstance(path, FloorPath):
@@ -277,12 +277,6 @@ def _with_feeds(toolpath: Toolpath, request: PocketRequest) -> tuple[Toolpath, E
     return fed, replace(engagement, moves=moves)
 
 
-def _tell(progress: Progress | None, done: float, stage: str) -> None:
-    """Report progress; raise if the user cancelled."""
-    if progress is not None and progress(done, stage):
-        raise CancelledError
-
-
 def _cuts(
     rooms: Sequence[Room], request: PocketRequest, progress: Progress | None, lay: FloorPaths
 ) -> tuple[list[Cut], tuple[Notice, ...]]:
@@ -292,7 +286,7 @@ def _cuts(
     """
 
     def tick(done: float) -> None:
-        _tell(progress, 0.1 + 0.6 * done, "Laying the spiral")
+        report_progress(progress, 0.1 + 0.6 * done, "Laying the spiral")
 
     regions = {room.region.wkb: room.region for room in rooms}
     paths = dict(zip(regions, lay([*regions.values()], request, tick), strict=True))

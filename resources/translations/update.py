@@ -34,7 +34,7 @@ TRANSLATORS = {"translate", "QT_TRANSLATE_NOOP"}
 #: Functions of the table of properties, and which argument is the tooltip.
 ROWS = {"_option": 2, "_choice": 1, "_result": 2, "Property": 3}
 #: The planner's function that names a stage of the work.
-STAGES = "_tell"
+STAGES = "report_progress"
 
 Text = tuple[str, str]
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from ...beside.interpreters import cores
 from ...beside.tasks import Drawn
-from ...engine.errors import CancelledError, SpiralPocketError
+from ...engine.errors import SpiralPocketError, report_progress
 from ...engine.model import Plan, PocketRequest, Progress
 from .lane import Job, Lane
 
@@ -71,8 +71,7 @@ def plan_all(
     try:
         while not all(job.is_done for job in jobs):
             proofs.wait(WAIT)
-            if progress is not None and progress(*_how_far(jobs)):
-                raise CancelledError
+            report_progress(progress, *_how_far(jobs))
     finally:
         for job in jobs:
             proofs.give_up(job)
