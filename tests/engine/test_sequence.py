@@ -5,6 +5,8 @@ import numpy as np
 import pytest
 import shapely
 import shapes
+from hypothesis import given
+from hypothesis import strategies as st
 from shapely import Point, box
 
 from freecad_spiralpocket.engine import plan
@@ -12,7 +14,8 @@ from freecad_spiralpocket.engine.laps import automatic
 from freecad_spiralpocket.engine.links.cleared import ENDS, NEVER
 from freecad_spiralpocket.engine.links.estimates import link_seconds
 from freecad_spiralpocket.engine.links.linking import hermite_links
-from freecad_spiralpocket.engine.links.passes import SLIM, slim
+from freecad_spiralpocket.engine.links.ordering import Step
+from freecad_spiralpocket.engine.links.passes import ASIDE, SLIM, passes_of, slim
 from freecad_spiralpocket.engine.links.sequence import in_better_sequence
 from freecad_spiralpocket.engine.model import Strategy
 
@@ -116,3 +119,20 @@ def test_steps_aside_of_micrometers_are_no_moves(heading, aside, back):
     np.testing.assert_array_equal(slimmed[[0, -1]], points[[0, -1]])
     off = shapely.distance(shapely.LineString(slimmed), shapely.points(points))
     assert off.max() < 2 * SLIM * request.tolerance
+
+
+@given(st.floats(2.0, 40.0), st.floats(0.0, 0.2), st.floats(0.0, 2 * np.pi))
+def test_a_chord_round_a_bend_of_the_wall_is_cut_inside(bend, off, heading):
+    """What is cut leaves the region by next to nothing, and nothing else of it is moved."""
+    request = shapes.request(box(-60, -60, 60, 60))
+    region = box(-60, -60, 60, 60) - Point(0, 0).buffer(bend, quad_segs=256)
+    turn = heading + np.linspace(-0.6, 0.6, 60)
+    chord = (bend - off) / np.cos(turn[20:41] - heading)
+    radii = np.hstack([np.full(20, bend + 0.01), chord, np.full(19, bend + 0.01)])
+    points = radii[:, None] * np.column_stack([np.cos(turn), np.sin(turn)])
+    (done,) = passes_of([Step(np.empty((0, 2)), points, 0)], region, request)
+    out = shapely.distance(shapely.points(done.points), region)
+    assert out.max() <= 1.01 * ASIDE * request.tolerance
+    kept = shapely.distance(shapely.points(points), region) < 0.9 * ASIDE * request.tolerance
+    off_path = shapely.distance(shapely.points(points), shapely.LineString(done.points))
+    assert off_path[kept].max() < 2 * SLIM * request.tolerance

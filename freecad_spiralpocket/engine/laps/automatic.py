@@ -88,7 +88,7 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     region = oriented(shapely.simplify(region, 0.001))
     best = _fastest(starts_of(region, request), needed(region, request), request, tick)
     pieces = [] if request.stock is None else large_pieces(region, request)
-    return _joined(_piecewise(best, pieces, region, request, tick), request)
+    return _joined(_piecewise(best, pieces, region, request, tick), region, request)
 
 
 def _piecewise(
@@ -121,12 +121,12 @@ def _piecewise(
     return alone if total < (CHANNEL_TOLL if from_air else 1.0) * best.seconds else [best]
 
 
-def _joined(parts: Sequence[_Best], request: PocketRequest) -> FloorPath:
+def _joined(parts: Sequence[_Best], region: Polygon, request: PocketRequest) -> FloorPath:
     """Return the path of some starts one after the other."""
     entries = [part.start.entry for part in parts if part.start is not None]
     passes: list[Pass | WayDown] = []
     for entry, part in zip(entries, parts, strict=True):
-        passes += [entry, *passes_of(part.steps, request)]
+        passes += [entry, *passes_of(part.steps, region, request)]
     return FloorPath(entries[0], tuple(passes[1:]))
 
 

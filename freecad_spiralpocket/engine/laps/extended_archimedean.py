@@ -103,7 +103,8 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
         If the region is thousands of step-overs wide.
     """
     layout = lay(region, request, tick)
-    path = FloorPath(layout.opening.start.entry, passes_of(list(layout.steps), request))
+    passes = passes_of(list(layout.steps), region, request)
+    path = FloorPath(layout.opening.start.entry, passes)
     return with_leads(path, _tight(layout), LEAD * request.cutter_radius)
 
 

@@ -9,17 +9,21 @@ from itertools import pairwise
 
 import numpy as np
 import shapely
-from shapely import LineString
+from shapely import LineString, Polygon
 from shapely.ops import substring
 
 from ..floor import FloorPath, Pass
 from ..model import Floats, PocketRequest
 from ..shapes.polyline import simplified
+from ..shapes.shaping import drawn_inside
 from ..toolpath import Role
 from .ordering import Step
 
 #: Points that matter less than this share of the tolerance are dropped.
 SLIM = 0.3
+#: What is cut may leave the region by this share of the tolerance: between two laps that both run
+#: along a wall's bend the way across is a chord of it.
+ASIDE = 0.3
 #: A short step at whose ends the path turns by more than this together is a step aside [rad].
 JOG = np.radians(90.0)
 
@@ -47,15 +51,16 @@ def _without_jogs(points: Floats, within: float) -> Floats:
     return np.delete(points, short + 1, axis=0)
 
 
-def passes_of(steps: Sequence[Step], request: PocketRequest) -> tuple[Pass, ...]:
-    """Return the passes of runs, with the links or lifts between them."""
-    passes = []
+def passes_of(steps: Sequence[Step], region: Polygon, request: PocketRequest) -> tuple[Pass, ...]:
+    """Return the passes of runs inside a region, with the links or lifts between them."""
+    passes, aside = [], ASIDE * request.tolerance
     for step in steps:
         if step.link is None:
             passes.append(Pass(step.points[:1], Role.AIR))
         elif len(step.link):
             passes.append(Pass(slim(step.link, request), Role.LINK))
-        passes.append(Pass(slim(step.points, request), Role.CUT))
+        inside = drawn_inside(step.points, region, aside)
+        passes.append(Pass(slim(inside, request), Role.CUT))
     return tuple(passes)
 
 

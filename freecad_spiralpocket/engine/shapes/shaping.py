@@ -79,6 +79,32 @@ def grow_prepared(shape: Region, distance: float) -> Region:
     return wider
 
 
+def drawn_inside(points: Floats, shape: Region, slack: float) -> Floats:
+    """Return points, those farther outside of a region than `slack` drawn in to there.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 2)
+        [mm]
+    shape : shapely.Polygon or MultiPolygon
+    slack : float
+        [mm]
+
+    Returns
+    -------
+    ndarray of shape (n, 2)
+    """
+    out = np.flatnonzero(~are_within(shape, points, slack))
+    if len(out) == 0:
+        return points
+    ways = shapely.shortest_line(shapely.points(points[out]), shape)
+    edge = shapely.get_coordinates(ways).reshape(-1, 2, 2)[:, 1]
+    aside = points[out] - edge
+    drawn = points.copy()
+    drawn[out] = edge + aside * (slack / np.hypot(*aside.T))[:, None]
+    return drawn
+
+
 def holes_of(shape: Region) -> int:
     """Return how many holes a region has."""
     # a part is a copy
