@@ -10,7 +10,20 @@ import FreeCADGui
 import Part
 import pytest
 from FreeCAD import Vector
-from window import IS_LEGACY, WORKBENCH, main_window, pump, report_view
+from operations import only_operation
+from window import (
+    IS_LEGACY,
+    OK,
+    WORKBENCH,
+    is_panel_open,
+    main_window,
+    press,
+    press_toolbar_button,
+    pump,
+    report_view,
+    select,
+    wait_for,
+)
 
 from freecad_spiralpocket.gui.preview.live import LIVE
 from freecad_spiralpocket.op import preferences
@@ -135,3 +148,13 @@ def part(job):
 def floor(part):
     """Return the floor of the plate's pocket as (object, face name)."""
     return part, floors(part, -DEPTH)[0]
+
+
+@pytest.fixture
+def operation(job, floor):
+    """Return an operation made with the panel, which is closed again."""
+    select(floor)
+    press_toolbar_button()
+    press(OK)
+    wait_for(lambda: not is_panel_open())
+    return only_operation(job)
