@@ -213,7 +213,7 @@ class TaskPanel(PathOpGui.TaskPanel):
         return bool(refusals)
 
     def _make_room(self) -> None:
-        if self.is_open:
+        if self.is_open and self.form:  # FreeCAD takes that away as it closes a panel
             form = self.operation_page.form
             if make_room(self.form[0], form, form.advancedFrame):
                 later(AFTER_LAYOUT, self._make_room)
