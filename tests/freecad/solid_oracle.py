@@ -22,18 +22,27 @@ class Surface:
 
     Parameters
     ----------
-    shape : Part.Shape
+    triangles : ndarray of shape (n, 3, 3)
+        [mm]
     """
 
-    def __init__(self, shape):
-        corners, index = shape.tessellate(SAG)
-        triangles = np.array([tuple(c) for c in corners])[np.array(index)]
+    def __init__(self, triangles):
         a, b, c = np.moveaxis(triangles, 1, 0)
         self._twice = _cross((b - a)[:, :2], (c - a)[:, :2])
         flat = np.abs(self._twice) > 1e-9
         self._triangles, self._twice = triangles[flat], self._twice[flat]
         low, high = self._triangles.min(axis=1), self._triangles.max(axis=1)
         self._tree = shapely.STRtree(shapely.box(*low[:, :2].T, *high[:, :2].T))
+
+    @classmethod
+    def of(cls, shape):
+        """Return the surface of a `Part.Shape`."""
+        corners, index = shape.tessellate(SAG)
+        return cls(np.array([tuple(c) for c in corners])[np.array(index)])
+
+    def above(self, z):
+        """Return what is not wholly at or below Z `z`: there many triangles lie side by side."""
+        return Surface(self._triangles[self._triangles[:, :, 2].max(axis=1) > z])
 
     def heights(self, points):
         """Return the highest Z of the solid at each of `points`, (n, 2); -inf beside it."""
@@ -87,7 +96,8 @@ def gouges(surface, centers, radius, depth):
     turns = np.arange(0, 2 * math.pi, math.pi / 20)
     spokes = np.c_[np.cos(turns), np.sin(turns)]
     rim = centers[:, None, :2] + (radius - depth) * spokes
-    top = surface.heights(rim.reshape(-1, 2)).reshape(len(centers), -1).max(axis=1)
+    high = surface.above(centers[:, 2].min() + depth)
+    top = high.heights(rim.reshape(-1, 2)).reshape(len(centers), -1).max(axis=1)
     return centers[top > centers[:, 2] + depth]
 
 

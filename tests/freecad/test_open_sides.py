@@ -97,7 +97,7 @@ def test_floor_is_cleared_to_its_edge_and_nothing_else_is_cut(doc, name, beside)
     shape = PARTS[name]()
     job, part = job_of(doc, shape, beside=beside)
     op = cut(job, part)
-    assert len(gouges(Surface(shape), places(motion(op), 1.5), R, 0.01)) == 0
+    assert len(gouges(Surface.of(shape), places(motion(op), 1.5), R, 0.01)) == 0
     (plan,) = op.Proxy.plans
     assert plan.report.uncut_area < 0.05
     assert plan.report.rapid_hit == 0
@@ -121,7 +121,7 @@ def test_another_part_of_the_job_beside_an_open_side_is_kept_off(doc):
     other = Part.makeBox(20, 10, 12, Vector(40, -15, -12))
     job, part = job_of(doc, notch(), other, beside=1.0)
     op = cut(job, part)
-    assert len(gouges(Surface(other), places(motion(op), 1.0), R, 0.01)) == 0
+    assert len(gouges(Surface.of(other), places(motion(op), 1.0), R, 0.01)) == 0
     assert op.Proxy.plans[0].report.uncut_area < 0.05
 
 
@@ -130,7 +130,7 @@ def test_a_step_below_is_no_wall_and_one_above_is(doc):
     steps = steps.fuse(Part.makeBox(10, 10, 12, Vector(45, -16, -12))).removeSplitter()
     job, part = job_of(doc, steps.Solids[0], beside=1.0)
     op = cut(job, part)
-    assert len(gouges(Surface(steps), places(motion(op), 1.0), R, 0.01)) == 0
+    assert len(gouges(Surface.of(steps), places(motion(op), 1.0), R, 0.01)) == 0
     assert op.Proxy.plans[0].report.uncut_area < 0.05
 
 
@@ -171,7 +171,7 @@ def test_slanted_walls_at_an_open_side(doc):
     (plan,) = op.Proxy.plans
     assert len(plan.request.sections) == 4
     assert plan.report.uncut_area < 0.05
-    assert len(gouges(Surface(shape), places(motion(op), 1.0), R, 0.01)) == 0
+    assert len(gouges(Surface.of(shape), places(motion(op), 1.0), R, 0.01)) == 0
 
 
 @pytest.mark.parametrize("radius", [4.0, 5.0])
@@ -180,7 +180,7 @@ def test_a_low_boss_in_an_open_pocket_is_cleared_to_its_top(doc, radius):
     shape = PARTS["corner"]().fuse(boss).removeSplitter()
     job, part = job_of(doc, shape.Solids[0])
     op = cut(job, part, StepDown=5.0)
-    solid = Surface(part.Shape)
+    solid = Surface.of(part.Shape)
     path = np.array(places(motion(op), 0.5))
     assert len(gouges(solid, path, R, 0.01)) == 0
     low = path[np.abs(path[:, 2] - (FLOOR + 3)) < 0.001]
@@ -198,4 +198,4 @@ def test_a_side_that_leans_in_below_the_floor_hangs_over_nothing(doc):
     op = cut(job, part)
     assert op.UncutArea < 0.05
     assert op.Proxy.plans[0].request.beyond.bounds[1] < -0.1
-    assert len(gouges(Surface(shape), places(motion(op), 1.0), R, 0.01)) == 0
+    assert len(gouges(Surface.of(shape), places(motion(op), 1.0), R, 0.01)) == 0

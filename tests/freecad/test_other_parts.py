@@ -53,7 +53,7 @@ def test_what_stands_in_the_pocket_is_kept_off_and_cut_round(doc, name):
     if "through" in name:
         shape = shape.cut(Part.makeCylinder(3, 40, Vector(20, 15, -30)))
     op = cut(doc, shape, other)
-    both = Surface(Part.makeCompound([shape, other]))
+    both = Surface.of(Part.makeCompound([shape, other]))
     assert len(gouges(both, places(motion(op), 0.7), R, 0.01)) == 0
     stock = Stock(both, (0.2, 0.2, 39.8, 29.8), 0.4)
     stock.cut(places(motion(op), 0.3), R + 0.02)
@@ -65,12 +65,12 @@ def test_what_stands_in_the_pocket_is_kept_off_and_cut_round(doc, name):
 
 def test_solids_of_one_part_keep_off_each_other(doc):
     op = cut(doc, Part.makeCompound([pocket(), pin()]))
-    assert len(gouges(Surface(pin()), places(motion(op), 0.7), R, 0.01)) == 0
+    assert len(gouges(Surface.of(pin()), places(motion(op), 0.7), R, 0.01)) == 0
 
 
 def test_other_parts_are_no_islands_that_may_be_left_out(doc):
     op = cut(doc, pocket(), pin(), UseOutline=True)
-    assert len(gouges(Surface(pin()), places(motion(op), 0.7), R, 0.01)) == 0
+    assert len(gouges(Surface.of(pin()), places(motion(op), 0.7), R, 0.01)) == 0
 
 
 def test_a_part_that_covers_the_floor_is_named_as_the_reason(doc):

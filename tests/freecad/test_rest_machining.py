@@ -74,7 +74,7 @@ def test_the_small_cutter_takes_what_the_large_one_left(doc, outline, mode):
     both = shapely.union(swept(first, LARGE), swept(rest, SMALL))
     left = shapely.difference(reachable(outline, SMALL), both.buffer(0.03)).buffer(-0.01)
     assert left.area < 0.05
-    assert len(gouges(Surface(shape), places(motion(rest), 1.5), SMALL / 2, 0.01)) == 0
+    assert len(gouges(Surface.of(shape), places(motion(rest), 1.5), SMALL / 2, 0.01)) == 0
     (plan,) = rest.Proxy.plans
     assert plan.report.uncut_area < 0.05 and plan.report.rapid_hit == 0
     assert any("% of this pocket" in notice for notice in rest.Notices)
@@ -188,7 +188,7 @@ def test_slanted_walls_count_by_the_floor(doc):
     job, part, large, small = job_of(doc, shape)
     cut(job, part, large, StepDown=3.0)
     rest = cut(job, part, small, StepDown=3.0, UseRestMachining=True)
-    assert len(gouges(Surface(shape), places(motion(rest), 1.5), SMALL / 2, 0.01)) == 0
+    assert len(gouges(Surface.of(shape), places(motion(rest), 1.5), SMALL / 2, 0.01)) == 0
     assert rest.Proxy.plans[0].report.uncut_area < 0.05
 
 
