@@ -16,6 +16,7 @@ from shapely.geometry.polygon import orient
 from shapes import (
     CIRCLE,
     DUMBBELL,
+    HEIGHTS,
     L_SHAPE,
     RING,
     SQUARE,
@@ -34,7 +35,7 @@ from freecad_spiralpocket.engine.growth.fronts import advance
 from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.links.estimates import motion_of
 from freecad_spiralpocket.engine.machine import MIDDLING
-from freecad_spiralpocket.engine.model import CutMode, Cutting, Heights, Plan, Strategy
+from freecad_spiralpocket.engine.model import CutMode, Cutting, Entry, Heights, Plan, Strategy
 from freecad_spiralpocket.engine.opening.mouths import mouths_of
 from freecad_spiralpocket.engine.opening.start import slot_bite
 from freecad_spiralpocket.engine.opening.starts import island_ring
@@ -100,6 +101,15 @@ def test_branched_ground_between_islands_is_reached_without_lifts():
     assert lifts(result) == 1
     assert result.report.uncut_area < 0.01
     assert result.report.link_hit <= TOUCH
+
+
+@pytest.mark.parametrize(("depth", "bite"), [(18.0, 0.0), (6.0, 0.6)], ids=["deep", "small bite"])
+def test_a_helix_opens_a_plain_pocket_where_a_slot_takes_long(depth, bite):
+    times = []
+    for low, entry in ((6.0, Entry()), (depth, Entry(slot_bite=bite))):
+        heights = replace(HEIGHTS, final_depth=-low, step_down=low)
+        times.append(automatic(box(0, 0, 60, 40), heights=heights, entry=entry).report.time)
+    assert times[1] < 1.5 * times[0]
 
 
 def test_rooms_in_a_row_are_entered_from_either_side():

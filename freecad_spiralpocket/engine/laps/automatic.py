@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
 import shapely
@@ -143,10 +143,13 @@ def _fastest(
     motion, rules = motion_of(request), rules_of(request)
     _check_width(region, request)
     best, most = _Best(), MAX_FRONTS
-    starts = promising(starts, region, request.cutting.stepover)
+    laps = region.area / (WIDEST * STRETCH * rules.stepover) / motion.cut_feed
+    entry_of = cache(partial(entry_seconds, request=request, motion=motion))
+    entries = [entry_of(start) / laps for start, _ in starts]
+    starts = promising(starts, region, rules.stepover, entries)
     for i, (start, within) in enumerate(starts):
         done = partial(tick, i / len(starts))
-        entry = entry_seconds(start, request, motion)
+        entry = entry_of(start)
         grown = _grown(start, rules, best, most, entry, motion, done)
         if grown is None:
             continue
@@ -167,7 +170,7 @@ def _fastest(
         if best.is_beaten_by(toll * seconds, links):
             best = _Best(start, laid, toll * seconds, links)
         if start.plain is not None and not start.is_sure and links > 0:
-            more = entry_seconds(start.plain, request, motion) - entry
+            more = entry_of(start.plain) - entry
             more += _least_left(start.plain.visited, start.plain, rules, motion)
             more -= _least_left(start.visited, start, rules, motion)
             spared = min(SPARED_SHARE, SPARED / links) * link_seconds(laid.all_steps, motion)

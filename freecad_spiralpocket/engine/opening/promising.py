@@ -1,19 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which starts are worth growing: those from which no place is hopelessly far."""
+"""Which starts are worth growing: those from which no place is hopelessly far.
+
+How far that is depends on how soon the cutter is down there: at deep levels, or with a small bite,
+a helix may be through long before a slot is, and what it leaves in corners costs less.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 import shapely
 from shapely import Polygon
 
+from ..floor import Helix
 from ..model import Floats
 from ..numerics.nearest import nearest
 from ..shapes.shaping import Region
 from .start import Start
 
-#: A start is hopeless whose farthest wall is farther than this over the nearest one's.
-HOPELESS = 1.5
+#: A start is hopeless whose farthest wall is farther than this over the nearest one's; a helix by
+#: so much more than that, times the square of what it saves on the way down, over all laps.
+HOPELESS, SOONER = 1.5, 2.0
 #: So few levels are always worth simulating.
 FEW = 14
 #: Places within a region at which that is looked at, along each side.
@@ -21,7 +29,10 @@ GRID = 40
 
 
 def promising(
-    starts: list[tuple[Start, Polygon]], region: Polygon, stepover: float
+    starts: list[tuple[Start, Polygon]],
+    region: Polygon,
+    stepover: float,
+    entries: Sequence[float] = (),
 ) -> list[tuple[Start, Polygon]]:
     """Return the starts from which the farthest place is not hopelessly far, the nearest first.
 
@@ -39,6 +50,8 @@ def promising(
         What is to be cut.
     stepover : float
         [mm]
+    entries : sequence of float, optional
+        How long the way down of each takes, over what all laps take at least.
     """
     if len(starts) == 1:
         return starts
@@ -52,9 +65,15 @@ def promising(
         for start, _ in starts
     ]
     far = np.array([_farthest(places, ground) for ground in visited])
+    nearest_one, few = float(far.min()), FEW * stepover
+    down = np.array(entries or [0.0] * len(starts))
+    kept = far <= max(HOPELESS * nearest_one, few)
+    is_helix = np.array([isinstance(start.entry, Helix) for start, _ in starts])
+    saved = np.where(is_helix, np.maximum(down[kept].min() - down, 0.0), 0.0)
+    farthest = np.maximum(HOPELESS * (1 + SOONER * saved**2) * nearest_one, few)
     others = np.array([start.within is None for start, _ in starts])
     order = np.lexsort((far, others))
-    return [starts[i] for i in order if far[i] <= max(HOPELESS * far.min(), FEW * stepover)]
+    return [starts[i] for i in order if far[i] <= farthest[i]]
 
 
 def _sampled(line: shapely.Geometry, spacing: float) -> Floats:
