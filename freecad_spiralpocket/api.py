@@ -138,7 +138,7 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
         raise SetupError(f"{job} is no job.", "Give a CAM job of an open document.")
     if not isinstance(path, str | os.PathLike):
         raise SetupError(f"{path} is no file to write.", "Give its path.")
-    _compute_what_has_changed(job)
+    job.Document.recompute()  # a tool or a part that has changed touches no operation before
     _check_paths(job)
     with compat.active_document(job.Document):
         try:
@@ -159,20 +159,6 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
             f"Cannot write {path}: {error.strerror}.", "Choose another file."
         ) from error
     return gcode
-
-
-def _compute_what_has_changed(job: Any) -> None:
-    """Recompute the document if an operation needs it, and all that cut a rest.
-
-    What operations before them leave is no link in the document, so that FreeCAD does not know
-    when a rest has changed; a plan for the same rest is taken over.
-    """
-    if any("Touched" in op.State for op in job.Operations.Group):
-        job.Document.recompute()
-    for op in _active(job):
-        if _is_ours(op) and op.UseRestMachining:
-            op.touch()
-            op.recompute()
 
 
 def _active(job: Any) -> list[Any]:

@@ -35,6 +35,7 @@ from .compat import (
     tool_shape,
     unreadable_job,
 )
+from .rest_watch import RestWatch, names_before
 from .tools import ROUND_TOOLS, UNSUITABLE_TOOLS
 
 if TYPE_CHECKING:
@@ -58,12 +59,15 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         the class by the graphical side, if there is one.
     planner : Planner or None
         What plans the pockets, see `pockets`; set on the class by the graphical side.
+    before : tuple of str or None
+        The names of all operations before this one at the last recompute; transient.
     """
 
     progress_factory: Callable[[str], AbstractContextManager[Progress | None]] | None = None
     planner: Planner | None = None
     errors: list[SpiralPocketError] | tuple[()] = ()
     plans: list[Plan] | tuple[()] = ()
+    before: tuple[str, ...] | None = None
     _earlier: list[Plan] | tuple[()] = ()
 
     def opFeatures(self, obj: Any) -> int:  # noqa: N802
@@ -148,6 +152,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         no job or no tool, and keeps it when `opExecute` raises.
         """
         self.errors, self.plans, self._earlier = [], [], self.plans
+        self.before = names_before(obj)
         obj.Path = Path.Path()
         obj.SpiralCurve = Part.Shape()
         properties.clear_results(obj)
@@ -298,3 +303,4 @@ def Create(name: str, obj: Any = None, parentJob: Any = None) -> Any:  # noqa: N
 
 
 PathSetupSheet.RegisterOperation(NAME, Create, SetupProperties)
+FreeCAD.addDocumentObserver(RestWatch(ObjectSpiralPocket))

@@ -169,6 +169,5 @@ def rest(share: float) -> Notice:
             "UseRestMachining. Only flat end mills count: round ones leave ridges.",
         )
     return Notice(
-        f"Earlier operations have cleared {int(100 * share)} % of this pocket; the rest is cut.",
-        "Recompute this operation when they change.",
+        f"Earlier operations have cleared {int(100 * share)} % of this pocket; the rest is cut."
     )

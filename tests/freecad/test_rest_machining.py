@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Rest machining: a smaller cutter takes what earlier operations left, and no more."""
 
+import FreeCAD
 import numpy as np
 import Part
 import pytest
@@ -8,6 +9,7 @@ import shapely
 from FreeCAD import Vector
 from sample_parts import (
     DEPTH,
+    QUICK,
     add_job,
     add_part,
     area,
@@ -24,7 +26,7 @@ from freecad_spiralpocket import api
 from freecad_spiralpocket.engine.errors import AlreadyClearedError
 from freecad_spiralpocket.op import compat
 from freecad_spiralpocket.op.foresight import requests_of
-from freecad_spiralpocket.op.rest import AROUND
+from freecad_spiralpocket.op.rest import AROUND, share_cleared
 
 LARGE, SMALL = 16.0, 6.0
 
@@ -204,6 +206,75 @@ def test_walls_that_flare_far_beyond_the_floor_are_stock(doc):
     assert asked.stock.buffer(0.01).covers(standing)
 
 
+def end_higher(job, first, rest):
+    first.setExpression("FinalDepth", None)
+    first.FinalDepth = -DEPTH / 2
+
+
+def reorder(job, first, rest):
+    job.Operations.Group = [rest, first]
+
+
+CHANGES = {
+    "shallower": end_higher,
+    "another cutter": lambda job, first, rest: setattr(first.ToolController.Tool, "Diameter", 12),
+    "inactive": lambda job, first, rest: setattr(first, "Active", False),
+    "behind": reorder,
+    "gone": lambda job, first, rest: job.Document.removeObject(first.Name),
+}
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_a_rest_is_cut_anew_when_the_operations_before_change(doc, name):
+    job, part, large, small = job_of(doc, block(area(rectangle(40, 30))))
+    first = cut(job, part, large, **QUICK)
+    rest = cut(job, part, small, UseRestMachining=True)
+    before = share_cleared(rest.Proxy.plans[0].request)
+    CHANGES[name](job, first, rest)
+    doc.recompute()
+    doc.recompute()  # a tool's own shape follows its diameter one step behind
+    assert "Touched" not in rest.State
+    now = share_cleared(rest.Proxy.plans[0].request)
+    assert now > before + 0.01 if name == "another cutter" else now < 0.001
+
+
+def test_a_rest_that_is_behind_a_rest_follows_too(doc):
+    job, part, large, small = job_of(doc, block(area(rectangle(40, 30))))
+    first = cut(job, part, large, **QUICK)
+    cut(job, part, small, UseRestMachining=True)
+    smaller = compat.add_tool_controller(job, 3.0)
+    set_feeds(smaller, 1500.0)
+    last = cut(job, part, smaller, UseRestMachining=True)
+    cleared = last.Proxy.plans[0].request.stock
+    first.Active = False
+    doc.recompute()
+    assert not any("Touched" in op.State for op in job.Operations.Group)
+    # the middle one clears all now, as before
+    assert last.Proxy.plans[0].request.stock.symmetric_difference(cleared).area < 1
+
+
+def test_nothing_is_to_be_computed_where_nothing_has_changed(doc, tmp_path):
+    job, part, large, small = job_of(doc, block(area(rectangle(40, 30))))
+    first = cut(job, part, large, **QUICK)
+    rest = cut(job, part, small, UseRestMachining=True)
+    path = rest.Path.toGCode()
+    later = cut(job, part, small, **QUICK)
+    assert "Touched" not in rest.State
+    later.StepOver = 20
+    doc.recompute()
+    assert "Touched" not in rest.State
+    doc.saveAs(str(tmp_path / "rest.FCStd"))
+    again = FreeCAD.openDocument(str(tmp_path / "rest.FCStd"))
+    try:
+        opened = again.getObject(rest.Name)
+        assert "Touched" not in opened.State and opened.Path.toGCode() == path
+        again.getObject(first.Name).Active = False
+        again.recompute()
+        assert opened.Proxy.plans[0].request.stock is None
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
 def test_a_program_cuts_what_is_left_now(doc, tmp_path):
     job, part, large, small = job_of(doc, block(area(rectangle(40, 30))))
     first = cut(job, part, large)
@@ -211,7 +282,6 @@ def test_a_program_cuts_what_is_left_now(doc, tmp_path):
     before = motion(rest)
     assert rest.Proxy.plans[0].request.stock is not None
     first.Active = False
-    doc.recompute()
     api.export(job, tmp_path / "rest.ngc")
     assert rest.Proxy.plans[0].request.stock is None
     assert [c.toGCode() for c in motion(rest)] != [c.toGCode() for c in before]

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Operations that cut a rest are computed again when those before them change.
+
+What others leave is no link in the document, and cannot be one: where an operation stands in the
+job counts too. Without this a rest would be cut that is none any more: links at depth, and ways
+straight down, through stock that is taken for cleared.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+
+from .compat import parent_job
+
+#: Properties of operations, or of the group that they are in, that matter to those behind them.
+_TELLING = ("Path", "Active", "Group")
+
+
+def names_before(obj: Any) -> tuple[str, ...] | None:
+    """Return the names of all operations of the job that stand before one; None if it has no job.
+
+    A dressup stands for the operation in it.
+    """
+    job = parent_job(obj)
+    if job is None:
+        return None
+    names: list[str] = []
+    for operation in job.Operations.Group:
+        own = (operation.Name, *(o.Name for o in operation.OutListRecursive))
+        if obj.Name in own:
+            break
+        names += own
+    return tuple(names)
+
+
+class RestWatch:
+    """Touches operations that cut a rest; an observer of all documents.
+
+    Parameters
+    ----------
+    kind : type
+        The proxy of our operations. `before` of each are the names that were before it when it was
+        computed, None if that is not known.
+    """
+
+    def __init__(self, kind: type) -> None:
+        self._kind = kind
+
+    def slotChangedObject(self, changed: Any, name: str) -> None:  # noqa: N802 - FreeCAD's name
+        """Touch what stands behind an operation whose path changes, or in another place now."""
+        if name not in _TELLING or FreeCAD.isRestoring():
+            return
+        for obj in changed.Document.Objects:
+            proxy = getattr(obj, "Proxy", None)
+            if not isinstance(proxy, self._kind) or obj is changed:
+                continue
+            if getattr(obj, "UseRestMachining", False) and self._matters(changed, name, obj):
+                obj.touch()
+
+    def _matters(self, changed: Any, name: str, obj: Any) -> bool:
+        before = names_before(obj)
+        if before is None:
+            return False
+        if name == "Group":
+            return before != obj.Proxy.before
+        return changed.Name in before
