@@ -28,6 +28,9 @@ TOLD_SHARE = 0.3
 #: A piece is in a neck if the places that it is bounded from are farther apart than the first, and
 #: told if it is larger than the second, over R and its square.
 APART, LARGE = 0.3, 0.1
+#: It is a dead end all the same if the middle between these is nearer to other places of the center
+#: than this, over how far they are apart.
+BESIDE = 0.25
 #: What bounds a piece is as far from the center's place as R but for this, over R.
 NEAR = 0.01
 #: Halvings in the search for a neck's width.
@@ -107,8 +110,8 @@ def _part(piece: Polygon, target: Polygon, centers: MultiPolygon, radius: float)
     """Return a piece as what is told of it; None if it is a corner, or a crumb."""
     rim = shapely.get_coordinates(shapely.simplify(piece, NEAR / 4 * radius))[:-1]
     bounded = _bounded_from(rim, centers, radius)
-    if len(bounded) and np.hypot(*np.ptp(bounded, axis=0)) > APART * radius:
-        ends = _farthest(bounded)
+    ends = _farthest(bounded) if len(bounded) else None
+    if ends is not None and _are_across(ends, centers, radius):
         width = 2 * _narrowest(piece, bounded, ends, target, radius)
         return _Part(width, _middle_of(piece, ends, target), piece.area)
     if piece.area < math.pi * (TOLD_SHARE * radius) ** 2:  # no such disc fits
@@ -116,8 +119,56 @@ def _part(piece: Polygon, target: Polygon, centers: MultiPolygon, radius: float)
     place, widest = widest_disc(piece)
     if widest <= TOLD_SHARE * radius:
         return None
-    room = shapely.distance(target.boundary, shapely.points([place, *rim])).max()
-    return _Part(2 * min(float(room), radius), place, piece.area)
+    room = float(shapely.distance(target.boundary, shapely.points([place, *rim])).max())
+    width, place = _way_in(place, piece, target, centers, min(room, radius))
+    return _Part(width, place, piece.area)
+
+
+def _are_across(ends: Floats, centers: MultiPolygon, radius: float) -> bool:
+    """Return whether a piece lies between two places of the center, not beside both."""
+    apart = float(np.hypot(*(ends[1] - ends[0])))
+    middle = shapely.points(ends.mean(axis=0))
+    return apart > APART * radius and centers.distance(middle) > BESIDE * apart
+
+
+def _way_in(
+    place: tuple[float, float],
+    piece: Polygon,
+    target: Polygon,
+    centers: MultiPolygon,
+    widest: float,
+) -> tuple[float, tuple[float, float]]:
+    """Return how wide the way to a place in a dead end is, and where it is narrow.
+
+    As wide as the dead end itself, from wall to wall twice `widest` [mm], and at the place, where
+    nothing on the way is narrower.
+    """
+    around = clipped(target, shapely.buffer(piece, 3 * widest).bounds)
+    there = shapely.points(place)
+
+    def rooms(cutter: float) -> tuple[shapely.Geometry, shapely.Geometry]:
+        """Return where a smaller cutter's center gets to, and where else it has room."""
+        parts = polygons_of(grow(around, -cutter))
+        ours = [part.intersects(centers) for part in parts]
+        return tuple(
+            shapely.union_all([p for p, is_ours in zip(parts, ours, strict=True) if is_ours is it])
+            for it in (True, False)
+        )
+
+    def goes(cutter: float) -> bool:
+        return bool(rooms(cutter)[0].dwithin(there, cutter + CRACK))
+
+    if goes(widest):
+        return 2 * widest, place
+    low, high = 0.0, widest
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if goes(middle) else (low, middle)
+    reached, beyond = rooms(high)
+    if not reached.is_empty and not beyond.is_empty:
+        narrow = shapely.shortest_line(reached, beyond).centroid
+        place = (float(narrow.x), float(narrow.y))
+    return low + high, place
 
 
 def _bounded_from(rim: Floats, centers: MultiPolygon, radius: float) -> Floats:

@@ -135,6 +135,19 @@ def test_gap_round_an_island_is_told_with_its_width():
     assert notice.place[0] > 25
 
 
+@pytest.mark.parametrize("cutter", [30.0, 24.0, 21.0, 19.0])
+def test_neck_before_all_that_a_large_cutter_leaves_is_told(cutter):
+    """It gets into one end only, round which what it leaves lies on three sides."""
+    pocket = box(0, 0, 60, 36).difference(Point(20, 18).buffer(5, quad_segs=64))
+    radius = cutter / 2
+    (notice,) = unreachable_notices(pocket, center_regions(pocket, radius, 0.0), radius, 0.0)
+    assert " 13 mm neck" in notice.message and "below 13 mm" in notice.hint
+    x, y = notice.place
+    assert x == pytest.approx(20, abs=0.5) and min(y, 36 - y) == pytest.approx(6.5, abs=0.2)
+    smaller = center_regions(pocket, 6.4, 0.0)
+    assert unreachable_notices(pocket, smaller, 6.4, 0.0) == ()
+
+
 def test_dead_end_is_told_with_its_width():
     pocket = box(0, 0, 40, 20).union(box(10, 19, 15.99, 29))
     (notice,) = unreachable_notices(pocket, center_regions(pocket, 3.0, 0.0), 3.0, 0.0)
