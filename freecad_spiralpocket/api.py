@@ -14,6 +14,7 @@ is meant for the machinist, and leave the document as it was when they do.
 from __future__ import annotations
 
 import difflib
+import math
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -23,7 +24,7 @@ from typing import Any
 import FreeCAD
 
 from .engine.errors import RequestError, SelectionError, SetupError
-from .op import compat, operation, properties, selection
+from .op import compat, operation, properties, request, selection
 
 _NO_FLOORS = (
     "The floors are not given as parts with names of faces.",
@@ -131,8 +132,9 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
     Raises
     ------
     SetupError
-        If an active spiral pocket has no path, or none of the operations has one; if there is no
-        such post-processor, it fails or writes nothing; or if the file cannot be written.
+        If an active spiral pocket has no path or no feeds, or none of the operations has a path;
+        if there is no such post-processor, it fails or writes nothing; or if the file cannot be
+        written.
     """
     if not hasattr(job, "Operations"):
         raise SetupError(f"{job} is no job.", "Give a CAM job of an open document.")
@@ -180,6 +182,13 @@ def _check_paths(job: Any) -> None:
                 "FreeCAD's report view says why; mend it, or unset Active to do without "
                 "the operation.",
             )
+        missing = request.missing_feeds(op.ToolController) if _is_ours(op) else ""
+        if missing:
+            raise SetupError(
+                f"{op.ToolController.Label} has no {missing}; {op.Label} would be a program "
+                "without feeds, which no machine runs as it is meant.",
+                "Set the horizontal and vertical feed in the tool controller.",
+            )
         if _is_ours(op) and not compat.has_motion(op.Path):
             why = next(iter(op.Notices), "It was not computed.")
             raise SetupError(
@@ -193,6 +202,8 @@ def _check_values(values: dict[str, Any]) -> None:
     """Refuse unknown names, and what FreeCAD would silently change."""
     known = sorted([*properties.option_names(), *properties.INHERITED])
     for name, value in values.items():
+        if isinstance(value, float) and math.isnan(value):
+            raise RequestError(f"{name} is not a number.", "Leave it out for its default.")
         if name not in known:
             near = difflib.get_close_matches(name, [*known, "tool_controller"], 1)
             meant = f"Is it {near[0]}? " if near else ""
@@ -221,7 +232,7 @@ def _links(
 ) -> list[tuple[Any, tuple[str, ...]]]:
     """Return `base` with the job's own copies in place of the original parts."""
     own = {m.Name: m for m in job.Model.Group}
-    own |= {_original(job, m).Name: m for m in job.Model.Group}
+    own |= {compat.original(job, m).Name: m for m in job.Model.Group}
     links = []
     if not isinstance(base, Iterable):
         raise SelectionError(*_NO_FLOORS)
@@ -236,7 +247,10 @@ def _links(
         selection.check_names(copy, names)
         links.append((copy, tuple(names)))
     if not any(names for _, names in links):
-        raise SelectionError("No face is selected.", "Name the floor of at least one pocket.")
+        raise SelectionError(
+            "No floor is named.",
+            "Name that of at least one pocket; api.floors only finds those with walls all around.",
+        )
     return links
 
 
@@ -262,14 +276,6 @@ def _no_part(model: Any) -> tuple[str, str]:
         f"{model} is no part whose faces could be cut.",
         "Give an object of the document; getObject finds it by its name, not its label.",
     )
-
-
-def _original(job: Any, model: Any) -> Any:
-    """Return the part of which a model of the job is a copy, or the model if that is gone."""
-    try:
-        return job.Proxy.baseObject(job, model)
-    except IndexError:
-        return model
 
 
 def _tool_controller(job: Any, wanted: Any) -> Any:
@@ -335,7 +341,7 @@ def _hint_for(op: Any, name: str) -> str:
     if isinstance(now, str):
         return "Give a text."
     if isinstance(now, float):
-        return "Give a number."
+        return "Give a number, in mm/min." if name == "LinkFeed" else "Give a number."
     unit = "mm" if now.Unit == FreeCAD.Units.Length else "degrees"
     return f"Give a number, in {unit}, or a text with another unit of that kind."
 

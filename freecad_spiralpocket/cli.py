@@ -58,7 +58,12 @@ def parser() -> argparse.ArgumentParser:
     )
     add("--tool", type=length, metavar="D", help="diameter of the end mill [mm, or with a unit]")
     add("--stepover", type=percent, metavar="PERCENT", help="of the tool's diameter, at most")
-    add("--depth", type=length, help="how deep to cut below the stock's top [mm, or with a unit]")
+    add(
+        "--depth",
+        type=length,
+        help="how deep to cut below the stock's top [mm, or with a unit]; "
+        f"{DEPTH:g} for an outline if not given",
+    )
     add("--feed", type=positive, help=f"horizontal feed [mm/min], {FEED:g} for a new tool")
     add("--plunge", type=positive, help="vertical feed [mm/min], a quarter of the feed")
     add("--rapid", type=positive, help=f"rapid rate [mm/min], {RAPID:g} for a new tool")
@@ -119,6 +124,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def run(args: argparse.Namespace) -> Any:
     """Do what the arguments ask for and return the operation."""
+    for file in (args.output, args.png):  # a document may be saved where it was
+        if file is not None and file.resolve() == args.part.resolve():
+            raise SetupError(f"{file} is the part itself.", "Write to another file.")
     document, outline = part_files.load(args.part, args.depth or DEPTH)
     if args.tool is None:
         args.tool = outline.get("tool")
@@ -127,7 +135,7 @@ def run(args: argparse.Namespace) -> Any:
     with compat.active_document(document):
         job = part_files.find_job(document)
         part = part_files.find_part(document, args.part_name) if job is None else None
-        model = job.Model.Group[0] if job else part
+        model = part_files.find_model(job, args.part_name) if job else part
         faces = choose_faces(model, args.faces)
         if job is None:
             if args.tool is None:

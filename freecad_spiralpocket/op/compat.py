@@ -110,6 +110,14 @@ def operation_property(operation: Any, name: str) -> Any:
     return PathUtil.opProperty(operation, name)
 
 
+def original(job: Any, model: Any) -> Any:
+    """Return the part of which a model of the job is a copy, or the model if that is gone."""
+    try:
+        return job.Proxy.baseObject(job, model)
+    except IndexError:
+        return model
+
+
 def tool_shape(tool: Any) -> str:
     """Return the name of the tool's shape in lower case without separators, "" if unknown.
 
@@ -122,6 +130,17 @@ def tool_shape(tool: Any) -> str:
             shape = "".join(c for c in str(getattr(tool, name)).lower() if c.isalnum())
             return LEGACY_SHAPES.get(shape, shape) if name == "ToolType" else shape
     return ""
+
+
+def flat_end(tool: Any) -> float:
+    """Return the diameter of a bull-nose tool's flat end [mm], 0 if it is not known.
+
+    Shapes have the corner's radius since 1.1, before that the flat end's.
+    """
+    for name in ("CornerRadius", "TorusRadius"):
+        if hasattr(tool, name):
+            return max(0.0, float(tool.Diameter) - 2 * float(getattr(tool, name)))
+    return 2 * float(getattr(tool, "FlatRadius", 0.0))
 
 
 def tool_name(tool: Any) -> str:

@@ -107,7 +107,7 @@ def requests_of(obj: Any, known: dict[Any, Any] | None = None) -> Foreseen:
     """
     pockets = Pockets(Foresight(obj), known=known)
     found = pockets.requests()
-    notices = [*obj.Proxy.tool_notices(obj), *pockets.foreseen_notices(found)]
+    notices = pockets.foreseen_notices(found)
     return Foreseen([wanted for _, wanted in found], notices, pockets.labels)
 
 

@@ -23,7 +23,7 @@ import Path
 
 from ..engine.dependencies import require_libraries
 from ..engine.errors import CancelledError, SetupError, SpiralPocketError
-from ..engine.model import Notice, Plan, Progress
+from ..engine.model import Plan, Progress
 from . import commands, properties, results, selection
 from .compat import (
     PathLog,
@@ -36,7 +36,7 @@ from .compat import (
     unreadable_job,
 )
 from .rest_watch import RestWatch, names_before
-from .tools import ROUND_TOOLS, UNSUITABLE_TOOLS
+from .tools import UNSUITABLE_TOOLS
 
 if TYPE_CHECKING:
     from .pockets import Planner
@@ -191,7 +191,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         if not self.plans:
             raise self.errors[0]
         self.commandlist += commands.without_last_lift(pockets.commands())
-        results.write(obj, self.plans, [*self.tool_notices(obj), *pockets.notices()])
+        results.write(obj, self.plans, pockets.notices())
 
     def check_setup(self, obj: Any) -> None:
         """Raise where the base class would return without a path.
@@ -226,18 +226,6 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
                 f"{tool_name(tool)} is not an end mill; it cannot clear a pocket.",
                 "Choose a tool controller with an end mill in it.",
             )
-
-    def tool_notices(self, obj: Any) -> list[Notice]:
-        """Return what is to be told of the tool's shape."""
-        tool = obj.ToolController.Proxy.getTool(obj.ToolController)
-        if tool_shape(tool) not in ROUND_TOOLS:
-            return []
-        return [
-            Notice(
-                f"{tool_name(tool)} is not flat at its end and leaves ridges on the floor.",
-                "Use a flat end mill, or finish the floor with one.",
-            )
-        ]
 
     def _fail(self, obj: Any, error: SpiralPocketError) -> None:
         """Leave no path but a comment, and say why."""

@@ -17,7 +17,7 @@ import Part
 from FreeCAD import Vector
 
 from ..engine.errors import SetupError
-from .compat import PathJob
+from .compat import PathJob, original
 from .solids import closed
 
 SHAPE_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
@@ -133,6 +133,27 @@ def find_part(document: Any, name: str | None) -> Any:
             "Choose one with --part.",
         )
     return parts[0]
+
+
+def find_model(job: Any, name: str | None) -> Any:
+    """Return the part called `name` of those that a job has, or its first.
+
+    Raises
+    ------
+    SetupError
+        If it has none, or none of that name.
+    """
+    models = list(job.Model.Group)
+    if name is not None:
+        models = [m for m in models if name in _names(m) | _names(original(job, m))]
+    if not models:
+        what = "no model" if name is None else f"no part {name}"
+        raise SetupError(f"{job.Label} has {what}.", "Open the file in FreeCAD and check it.")
+    return models[0]
+
+
+def _names(part: Any) -> set[str]:
+    return {part.Name, part.Label}
 
 
 def _document(path: Path, shape: Any) -> Any:

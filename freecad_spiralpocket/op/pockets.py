@@ -132,17 +132,18 @@ class Pockets:
 
     def _general_notices(self, wanted: Sequence[PocketRequest]) -> list[Notice]:
         """Return what concerns all pockets."""
-        feeds = []
-        if not request.has_feeds(self._obj.ToolController):
+        feeds, missing = [], request.missing_feeds(self._obj.ToolController)
+        if missing:
             feeds.append(
                 Notice(
-                    f"{self._obj.ToolController.Label} has no feeds; the path carries none and "
-                    "its time is unknown.",
+                    f"{self._obj.ToolController.Label} has no {missing}; the path carries no "
+                    "feeds and its time is unknown.",
                     "Set the horizontal and vertical feed in the tool controller.",
                 )
             )
         depth = max((w.axial_depth for w in wanted), default=0.0)
-        tool = remarks.tool(self._obj.ToolController, depth)
+        step = max((w.cutting.stepover for w in wanted), default=0.0)
+        tool = remarks.tool(self._obj.ToolController, depth, step)
         return [*feeds, *tool, *self._start_point_notices(wanted)]
 
     def commands(self) -> list[Any]:

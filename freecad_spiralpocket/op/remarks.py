@@ -9,9 +9,10 @@ import shapely
 from shapely import Polygon
 
 from ..engine.model import Notice, PocketRequest
-from .compat import parent_job
+from .compat import flat_end, parent_job, tool_name, tool_shape
 from .rest import operations_before
 from .selection import PICK_ALL, SAME_HEIGHT
+from .tools import BULL_NOSES, ROUND_TOOLS
 
 #: A smaller share of a pocket that was cleared before is none.
 LEAST_SHARE = 0.001
@@ -88,10 +89,18 @@ def _above(start: float, stock: float, obj: Any) -> Notice | None:
     )
 
 
-def tool(controller: Any, depth: float) -> list[Notice]:
-    """Tell of levels deeper than the cutting edge [mm], of a spindle that stands or runs back."""
-    edge = getattr(controller.Proxy.getTool(controller), "CuttingEdgeHeight", None)
-    length, found = float(edge or 0.0), []
+def tool(controller: Any, depth: float, stepover: float) -> list[Notice]:
+    """Tell what a tool's shape leaves, of a cutting edge that is too short, and of the spindle.
+
+    Parameters
+    ----------
+    controller : object
+    depth, stepover : float
+        Of the deepest level and the widest step [mm].
+    """
+    mill = controller.Proxy.getTool(controller)
+    found = _shape(mill, stepover)
+    length = float(getattr(mill, "CuttingEdgeHeight", None) or 0.0)
     if 0 < length < depth - SAME_HEIGHT:
         found.append(
             Notice(
@@ -114,6 +123,29 @@ def tool(controller: Any, depth: float) -> list[Notice]:
             )
         )
     return found
+
+
+def _shape(mill: Any, stepover: float) -> list[Notice]:
+    """Tell what a tool that is not flat leaves, with so wide steps [mm]."""
+    shape = tool_shape(mill)
+    if shape not in ROUND_TOOLS + BULL_NOSES:
+        return []
+    flat = flat_end(mill) if shape in BULL_NOSES else 0.0
+    if stepover <= flat:
+        corner = (float(mill.Diameter) - flat) / 2
+        return [
+            Notice(
+                f"{tool_name(mill)} leaves the radius of its corner, {corner:.3g} mm, at the foot "
+                "of walls.",
+                "Finish with a flat end mill where that must be sharp.",
+            )
+        ]
+    return [
+        Notice(
+            f"{tool_name(mill)} is not flat at its end and leaves ridges on the floor.",
+            "Use a flat end mill, or finish the floor with one.",
+        )
+    ]
 
 
 def open_sides(wanted: PocketRequest) -> Notice:

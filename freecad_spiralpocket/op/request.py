@@ -41,9 +41,17 @@ STAND_IN_FEED = 10.0
 FULL_SLOT = 180.0
 
 
+def missing_feeds(tool_controller: Any) -> str:
+    """Return what the tool controller does not say of how fast to cut, "" if it says all."""
+    is_flat, is_down = (getattr(tool_controller, f).Value > 0 for f in ("HorizFeed", "VertFeed"))
+    if is_flat:
+        return "" if is_down else "vertical feed"
+    return "horizontal feed" if is_down else "feeds"
+
+
 def has_feeds(tool_controller: Any) -> bool:
     """Return whether the tool controller says how fast to cut."""
-    return tool_controller.HorizFeed.Value > 0 and tool_controller.VertFeed.Value > 0
+    return not missing_feeds(tool_controller)
 
 
 def feeds(tool_controller: Any, on: Machine) -> Feeds:

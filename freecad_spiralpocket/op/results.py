@@ -108,15 +108,19 @@ def summary(obj: Any) -> list[str]:
     """Return a short report of the operation for the terminal, one line for each figure."""
     limit = max((p.report.engagement_limit for p in obj.Proxy.plans), default=0.0)
     bite = max((p.report.entry_bite for p in obj.Proxy.plans), default=0.0)
+    missing, cut = len(obj.Proxy.errors), len(obj.Proxy.plans)
     minutes, seconds = divmod(round(obj.MachiningTime), 60)
     time = f"{minutes} min {seconds:02d} s" if obj.MachiningTime else "unknown, there are no feeds"
     return [
         f"time        {time}",
         f"length      {obj.PathLength.Value / 1000:.2f} m",
         f"engagement  {obj.LargestEngagement.Value:.0f} deg at most, "
-        f"{np.degrees(limit):.0f} deg on a straight cut",
+        f"{np.degrees(limit):.0f} deg on a straight cut"
+        if obj.LargestEngagement.Value
+        else "engagement  the whole width, all of it is the way down",
         f"entry       {bite:.2f} mm deep at full width",
-        f"uncut       {obj.UncutArea:.2f} mm2",
+        f"uncut       {obj.UncutArea:.2f} mm2 in the cutter's reach",
+        *([f"not cut     {missing} of {missing + cut} pockets"] if missing else []),
         f"gouge       {obj.Gouge.Value:.3f} mm",
         *(f"notice      {notice}" for notice in obj.Notices),
     ]

@@ -444,6 +444,10 @@
         <translation>{:.0f}°, Grenze {:.0f}°</translation>
     </message>
     <message>
+        <source>whole width, {} deep</source>
+        <translation>ganze Breite, {} tief</translation>
+    </message>
+    <message>
         <source>Time on {}</source>
         <translation>Zeit auf {}</translation>
     </message>
@@ -561,6 +565,18 @@
     <message>
         <source>the pocket</source>
         <translation>der Tasche</translation>
+    </message>
+    <message>
+        <source>feeds</source>
+        <translation>Vorschübe</translation>
+    </message>
+    <message>
+        <source>horizontal feed</source>
+        <translation>waagerechter Vorschub</translation>
+    </message>
+    <message>
+        <source>vertical feed</source>
+        <translation>senkrechter Vorschub</translation>
     </message>
     <message>
         <source>rapid</source>
@@ -791,6 +807,10 @@
         <translation>Frühere Operationen haben {0} % dieser Tasche geräumt; der Rest wird gefräst.</translation>
     </message>
     <message>
+        <source>Finish with a flat end mill where that must be sharp.</source>
+        <translation>Mit einem flachen Schaftfräser schlichten, wo das scharf sein muss.</translation>
+    </message>
+    <message>
         <source>FreeCAD's Adaptive cannot be reached from here.</source>
         <translation>FreeCADs Adaptive ist von hier aus nicht erreichbar.</translation>
     </message>
@@ -817,6 +837,10 @@
     <message>
         <source>It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose another strategy.</source>
         <translation>Sie gehört zu matplotlib ab 3.6: das mit FreeCADs Addon-Manager installieren oder eine andere Strategie wählen.</translation>
+    </message>
+    <message>
+        <source>Its faces are Face1 to Face{0}.</source>
+        <translation>Seine Flächen sind Face1 bis Face{0}.</translation>
     </message>
     <message>
         <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
@@ -945,10 +969,6 @@
     <message>
         <source>Recompute the operation to try again.</source>
         <translation>Zum erneuten Versuch die Operation neu berechnen.</translation>
-    </message>
-    <message>
-        <source>Recompute this operation when they change.</source>
-        <translation>Diese Operation neu berechnen, wenn jene sich ändern.</translation>
     </message>
     <message>
         <source>Refine the part (Part workbench, Refine Shape), or select one of them.</source>
@@ -1427,8 +1447,8 @@
         <translation>{0} Diese Tasche wird nicht gefräst.</translation>
     </message>
     <message>
-        <source>{0} has no feeds; the path carries none and its time is unknown.</source>
-        <translation>{0} hat keine Vorschübe; der Pfad hat auch keine, seine Zeit ist unbekannt.</translation>
+        <source>{0} has no face {1}.</source>
+        <translation>{0} hat keine Fläche {1}.</translation>
     </message>
     <message>
         <source>{0} has no model.</source>
@@ -1445,6 +1465,10 @@
     <message>
         <source>{0} has no tool, or one without a diameter.</source>
         <translation>{0} hat kein Werkzeug oder eines ohne Durchmesser.</translation>
+    </message>
+    <message>
+        <source>{0} has no {1}; the path carries no feeds and its time is unknown.</source>
+        <translation>Bei {0} fehlt: {1}; der Pfad enthält keine Vorschübe, und seine Zeit ist unbekannt.</translation>
     </message>
     <message>
         <source>{0} has tool number 0, which stands for no tool.</source>
@@ -1489,6 +1513,10 @@
     <message>
         <source>{0} is {1}; it must be more than 0.</source>
         <translation>{0}: {1}. Der Wert muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>{0} leaves the radius of its corner, {1} mm, at the foot of walls.</source>
+        <translation>{0} lässt am Fuß der Wände den Radius seiner Ecke stehen, {1} mm.</translation>
     </message>
     <message>
         <source>{0} looks down.</source>

@@ -444,6 +444,10 @@
         <translation>{:.0f}°, límite {:.0f}°</translation>
     </message>
     <message>
+        <source>whole width, {} deep</source>
+        <translation>todo el ancho, {} de profundidad</translation>
+    </message>
+    <message>
         <source>Time on {}</source>
         <translation>Tiempo en {}</translation>
     </message>
@@ -561,6 +565,18 @@
     <message>
         <source>the pocket</source>
         <translation>la cajera</translation>
+    </message>
+    <message>
+        <source>feeds</source>
+        <translation>avances</translation>
+    </message>
+    <message>
+        <source>horizontal feed</source>
+        <translation>avance horizontal</translation>
+    </message>
+    <message>
+        <source>vertical feed</source>
+        <translation>avance vertical</translation>
     </message>
     <message>
         <source>rapid</source>
@@ -791,6 +807,10 @@
         <translation>Operaciones anteriores han vaciado el {0} % de esta cajera; se corta el resto.</translation>
     </message>
     <message>
+        <source>Finish with a flat end mill where that must be sharp.</source>
+        <translation>Acabe con una fresa plana donde deba quedar vivo.</translation>
+    </message>
+    <message>
         <source>FreeCAD's Adaptive cannot be reached from here.</source>
         <translation>No se puede acceder desde aquí al Adaptive de FreeCAD.</translation>
     </message>
@@ -817,6 +837,10 @@
     <message>
         <source>It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose another strategy.</source>
         <translation>Viene con matplotlib 3.6 o posterior: instálelo con el gestor de complementos de FreeCAD, o elija otra estrategia.</translation>
+    </message>
+    <message>
+        <source>Its faces are Face1 to Face{0}.</source>
+        <translation>Sus caras son de Face1 a Face{0}.</translation>
     </message>
     <message>
         <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
@@ -945,10 +969,6 @@
     <message>
         <source>Recompute the operation to try again.</source>
         <translation>Recalcule la operación para intentarlo de nuevo.</translation>
-    </message>
-    <message>
-        <source>Recompute this operation when they change.</source>
-        <translation>Recalcule esta operación cuando aquellas cambien.</translation>
     </message>
     <message>
         <source>Refine the part (Part workbench, Refine Shape), or select one of them.</source>
@@ -1427,8 +1447,8 @@
         <translation>{0} Esta cajera no se corta.</translation>
     </message>
     <message>
-        <source>{0} has no feeds; the path carries none and its time is unknown.</source>
-        <translation>{0} no tiene avances; la trayectoria tampoco y su tiempo se desconoce.</translation>
+        <source>{0} has no face {1}.</source>
+        <translation>{0} no tiene la cara {1}.</translation>
     </message>
     <message>
         <source>{0} has no model.</source>
@@ -1445,6 +1465,10 @@
     <message>
         <source>{0} has no tool, or one without a diameter.</source>
         <translation>{0} no tiene herramienta, o una sin diámetro.</translation>
+    </message>
+    <message>
+        <source>{0} has no {1}; the path carries no feeds and its time is unknown.</source>
+        <translation>{0} no tiene {1}; la trayectoria no lleva avances y su tiempo es desconocido.</translation>
     </message>
     <message>
         <source>{0} has tool number 0, which stands for no tool.</source>
@@ -1489,6 +1513,10 @@
     <message>
         <source>{0} is {1}; it must be more than 0.</source>
         <translation>{0}: {1}. El valor debe ser mayor que 0.</translation>
+    </message>
+    <message>
+        <source>{0} leaves the radius of its corner, {1} mm, at the foot of walls.</source>
+        <translation>{0} deja el radio de su esquina, {1} mm, al pie de las paredes.</translation>
     </message>
     <message>
         <source>{0} looks down.</source>

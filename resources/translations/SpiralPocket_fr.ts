@@ -444,6 +444,10 @@
         <translation>{:.0f}°, limite {:.0f}°</translation>
     </message>
     <message>
+        <source>whole width, {} deep</source>
+        <translation>pleine largeur, {} de profondeur</translation>
+    </message>
+    <message>
         <source>Time on {}</source>
         <translation>Temps sur {}</translation>
     </message>
@@ -561,6 +565,18 @@
     <message>
         <source>the pocket</source>
         <translation>la poche</translation>
+    </message>
+    <message>
+        <source>feeds</source>
+        <translation>avances</translation>
+    </message>
+    <message>
+        <source>horizontal feed</source>
+        <translation>avance horizontale</translation>
+    </message>
+    <message>
+        <source>vertical feed</source>
+        <translation>avance verticale</translation>
     </message>
     <message>
         <source>rapid</source>
@@ -791,6 +807,10 @@
         <translation>Les opérations précédentes ont vidé {0} % de cette poche ; le reste est usiné.</translation>
     </message>
     <message>
+        <source>Finish with a flat end mill where that must be sharp.</source>
+        <translation>Finissez avec une fraise plate là où l’angle doit être vif.</translation>
+    </message>
+    <message>
         <source>FreeCAD's Adaptive cannot be reached from here.</source>
         <translation>L'Adaptive de FreeCAD n'est pas accessible d'ici.</translation>
     </message>
@@ -817,6 +837,10 @@
     <message>
         <source>It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose another strategy.</source>
         <translation>Elle vient avec matplotlib 3.6 ou plus récent : installez-le avec le gestionnaire d'extensions de FreeCAD, ou choisissez une autre stratégie.</translation>
+    </message>
+    <message>
+        <source>Its faces are Face1 to Face{0}.</source>
+        <translation>Ses faces sont Face1 à Face{0}.</translation>
     </message>
     <message>
         <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
@@ -945,10 +969,6 @@
     <message>
         <source>Recompute the operation to try again.</source>
         <translation>Recalculez l'opération pour réessayer.</translation>
-    </message>
-    <message>
-        <source>Recompute this operation when they change.</source>
-        <translation>Recalculez cette opération quand elles changent.</translation>
     </message>
     <message>
         <source>Refine the part (Part workbench, Refine Shape), or select one of them.</source>
@@ -1427,8 +1447,8 @@
         <translation>{0} Cette poche n'est pas usinée.</translation>
     </message>
     <message>
-        <source>{0} has no feeds; the path carries none and its time is unknown.</source>
-        <translation>{0} n'a pas d'avances ; le parcours n'en a pas non plus et son temps est inconnu.</translation>
+        <source>{0} has no face {1}.</source>
+        <translation>{0} n’a pas de face {1}.</translation>
     </message>
     <message>
         <source>{0} has no model.</source>
@@ -1445,6 +1465,10 @@
     <message>
         <source>{0} has no tool, or one without a diameter.</source>
         <translation>{0} n'a pas d'outil, ou un outil sans diamètre.</translation>
+    </message>
+    <message>
+        <source>{0} has no {1}; the path carries no feeds and its time is unknown.</source>
+        <translation>{0} n’a pas d’{1} ; le parcours ne contient pas d’avances et sa durée est inconnue.</translation>
     </message>
     <message>
         <source>{0} has tool number 0, which stands for no tool.</source>
@@ -1489,6 +1513,10 @@
     <message>
         <source>{0} is {1}; it must be more than 0.</source>
         <translation>{0} : {1}. La valeur doit être supérieure à 0.</translation>
+    </message>
+    <message>
+        <source>{0} leaves the radius of its corner, {1} mm, at the foot of walls.</source>
+        <translation>{0} laisse le rayon de son coin, {1} mm, au pied des parois.</translation>
     </message>
     <message>
         <source>{0} looks down.</source>

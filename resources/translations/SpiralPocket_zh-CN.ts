@@ -444,6 +444,10 @@
         <translation>{:.0f}°，上限 {:.0f}°</translation>
     </message>
     <message>
+        <source>whole width, {} deep</source>
+        <translation>全宽切削，深 {}</translation>
+    </message>
+    <message>
         <source>Time on {}</source>
         <translation>在 {} 上的用时</translation>
     </message>
@@ -561,6 +565,18 @@
     <message>
         <source>the pocket</source>
         <translation>型腔</translation>
+    </message>
+    <message>
+        <source>feeds</source>
+        <translation>进给</translation>
+    </message>
+    <message>
+        <source>horizontal feed</source>
+        <translation>水平进给</translation>
+    </message>
+    <message>
+        <source>vertical feed</source>
+        <translation>垂直进给</translation>
     </message>
     <message>
         <source>rapid</source>
@@ -791,6 +807,10 @@
         <translation>先前的操作已清除该型腔的 {0} %；其余部分将被加工。</translation>
     </message>
     <message>
+        <source>Finish with a flat end mill where that must be sharp.</source>
+        <translation>需要清角的地方请用平底铣刀精加工。</translation>
+    </message>
+    <message>
         <source>FreeCAD's Adaptive cannot be reached from here.</source>
         <translation>此处无法使用 FreeCAD 自适应。</translation>
     </message>
@@ -817,6 +837,10 @@
     <message>
         <source>It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose another strategy.</source>
         <translation>它随 matplotlib 3.6 或更高版本提供：请用 FreeCAD 的插件管理器安装，或选择其他策略。</translation>
+    </message>
+    <message>
+        <source>Its faces are Face1 to Face{0}.</source>
+        <translation>其面为 Face1 至 Face{0}。</translation>
     </message>
     <message>
         <source>Keep clamps away from that side, or unset ExtendOpenSides.</source>
@@ -945,10 +969,6 @@
     <message>
         <source>Recompute the operation to try again.</source>
         <translation>重新计算工序以重试。</translation>
-    </message>
-    <message>
-        <source>Recompute this operation when they change.</source>
-        <translation>这些操作改变后请重新计算此操作。</translation>
     </message>
     <message>
         <source>Refine the part (Part workbench, Refine Shape), or select one of them.</source>
@@ -1427,8 +1447,8 @@
         <translation>{0} 此型腔不切削。</translation>
     </message>
     <message>
-        <source>{0} has no feeds; the path carries none and its time is unknown.</source>
-        <translation>{0} 没有进给；刀路不含进给，用时未知。</translation>
+        <source>{0} has no face {1}.</source>
+        <translation>{0} 没有面 {1}。</translation>
     </message>
     <message>
         <source>{0} has no model.</source>
@@ -1445,6 +1465,10 @@
     <message>
         <source>{0} has no tool, or one without a diameter.</source>
         <translation>{0} 没有刀具，或刀具没有直径。</translation>
+    </message>
+    <message>
+        <source>{0} has no {1}; the path carries no feeds and its time is unknown.</source>
+        <translation>{0} 没有设置{1}；刀路不含进给，时间未知。</translation>
     </message>
     <message>
         <source>{0} has tool number 0, which stands for no tool.</source>
@@ -1489,6 +1513,10 @@
     <message>
         <source>{0} is {1}; it must be more than 0.</source>
         <translation>{0} 为 {1}；必须大于 0。</translation>
+    </message>
+    <message>
+        <source>{0} leaves the radius of its corner, {1} mm, at the foot of walls.</source>
+        <translation>{0} 会在侧壁底部留下其圆角半径 {1} mm。</translation>
     </message>
     <message>
         <source>{0} looks down.</source>

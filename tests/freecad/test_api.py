@@ -287,6 +287,30 @@ def test_floors_are_found_the_highest_first(doc):
     assert len(op.Proxy.plans) == 2
 
 
+@pytest.mark.parametrize("name", ["HorizFeed", "VertFeed"])
+def test_export_refuses_a_program_without_feeds(doc, tmp_path, name):
+    job, part, face = small_job(doc)
+    operation = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    setattr(operation.ToolController, name, 0)
+    with pytest.raises(SetupError, match="without feeds"):
+        api.export(job, tmp_path / "part.ngc")
+    assert not (tmp_path / "part.ngc").exists()
+
+
+def test_export_computes_what_tool_and_part_have_changed(doc, tmp_path):
+    job, part, face = small_job(doc)
+    operation = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    far = operation.Path.BoundBox.XMax
+    operation.ToolController.Tool.Diameter = operation.OpToolDiameter.Value + 1
+    api.export(job, tmp_path / "part.ngc")
+    assert operation.Path.BoundBox.XMax == pytest.approx(far - 0.5, abs=0.05)
+    longer = FreeCAD.Matrix()
+    longer.scale(2, 1, 1)
+    part.Shape = part.Shape.transformGeometry(longer)
+    api.export(job, tmp_path / "part.ngc")
+    assert operation.Path.BoundBox.XMax > 1.5 * far
+
+
 def test_export_refuses_a_path_whose_depth_is_gone(doc, tmp_path):
     job, part, face = small_job(doc)
     operation = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
@@ -350,8 +374,8 @@ def test_floors_of_what_is_no_part_are_refused(what):
     [
         ({"base": "part"}, "not given as parts"),
         ({"tool_controller": "TC"}, "TC is not a tool controller"),
-        ({"StepOver": float("nan")}, "step-over of nan"),
-        ({"FinalDepth": float("nan")}, "number of millimeters"),
+        ({"StepOver": float("nan")}, "StepOver is not a number"),
+        ({"FinalDepth": float("nan")}, "FinalDepth is not a number"),
         ({"UseOutline": "no"}, "True or False"),
         ({"CoolantMode": "Water"}, "Choose one of: .*Flood"),
         ({"StockToLeave": "5 deg"}, "[^.!]\\. Give a number, in mm"),

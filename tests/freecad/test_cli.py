@@ -99,6 +99,21 @@ def test_a_pocket_that_is_not_cut_shows_in_the_exit_code(tmp_path):
     assert cli.main([str(path), "--face", "all", "--tool", "6"]) == 3
 
 
+def test_pockets_that_are_not_cut_are_counted(tmp_path, capsys):
+    pockets = block(area(rectangle(40, 30, 4)), area(rectangle(5, 5, 1, 60, 0)))
+    call(saved(pockets, tmp_path / "two.brep"), "--face", "all", "--tool", 6)
+    assert "not cut     1 of 2 pockets" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("option", ["-o", "--png"])
+def test_the_part_is_not_written_over(one_pocket, tmp_path, capsys, option):
+    file = saved(one_pocket, tmp_path / "one.step")
+    before = file.read_bytes()
+    assert cli.main([str(file), "--tool", "6", option, str(file)]) == 1
+    assert "the part itself" in capsys.readouterr().err
+    assert file.read_bytes() == before
+
+
 def test_a_terminal_shows_how_far_planning_is(one_pocket, tmp_path, capsys, monkeypatch):
     part = saved(one_pocket, tmp_path / "part.brep")
     call(part, "--tool", 6, *QUICK)
@@ -158,6 +173,15 @@ def test_a_document_with_a_job_is_used_as_it_is(doc, one_pocket, tmp_path):
     assert op.OpToolDiameter.Value == 5
     assert op.ToolController.HorizFeed.Value == pytest.approx(1234 / 60)
     assert (tmp_path / "out.FCStd").exists()
+
+
+@pytest.mark.parametrize(("name", "code"), [("Part", 0), ("Other", 1)])
+def test_a_part_of_the_job_is_chosen_by_its_name(doc, one_pocket, tmp_path, capsys, name, code):
+    add_job(doc, add_part(doc, one_pocket), diameter=6.0)
+    file = tmp_path / "job.FCStd"
+    doc.saveAs(str(file))
+    assert cli.main([str(file), "--part", name, *QUICK]) == code
+    assert ("no part Other" in capsys.readouterr().err) == (code == 1)
 
 
 def test_another_tool_is_added_to_the_job(doc, one_pocket, tmp_path):

@@ -75,8 +75,8 @@ def test_a_cutter_wider_than_the_pocket(doc):
 
 def test_no_face_selected(setting):
     job, part, _ = setting
-    refused(job, [], SelectionError, "No face is selected")
-    refused(job, [(part, [])], SelectionError, "No face is selected")
+    refused(job, [], SelectionError, "No floor is named")
+    refused(job, [(part, [])], SelectionError, "No floor is named")
 
 
 def test_a_vertical_face(setting):

@@ -2,6 +2,7 @@
 """The life of an operation: recompute, save and reopen, copy, switch off, undo."""
 
 from itertools import pairwise
+from types import SimpleNamespace
 
 import FreeCAD
 import Part
@@ -24,7 +25,7 @@ from sample_parts import (
 
 from freecad_spiralpocket import api
 from freecad_spiralpocket.engine.toolpath import Kind
-from freecad_spiralpocket.op import operation, properties
+from freecad_spiralpocket.op import operation, properties, remarks
 from freecad_spiralpocket.op.compat import IS_LEGACY, parent_job
 
 if IS_LEGACY:
@@ -273,11 +274,36 @@ def test_without_feeds_there_is_a_path_but_no_feed_and_a_notice(op):
     assert any("no feeds" in notice for notice in op.Notices)
 
 
+@pytest.mark.parametrize(("name", "told"), [("HorizFeed", "horizontal"), ("VertFeed", "vertical")])
+def test_a_feed_that_is_missing_is_named(op, name, told):
+    setattr(op.ToolController, name, 0)
+    op.Document.recompute()
+    assert any(f"has no {told} feed" in notice for notice in op.Notices)
+
+
 def test_a_round_nosed_tool_is_used_with_a_notice(op, monkeypatch):
-    monkeypatch.setattr(operation, "tool_shape", lambda tool: "ballend")
+    monkeypatch.setattr(remarks, "tool_shape", lambda tool: "ballend")
     op.touch()
     op.Document.recompute()
     assert motion(op) and any("not flat" in notice for notice in op.Notices)
+
+
+@pytest.mark.parametrize(
+    ("has", "told"),
+    [
+        ({"CornerRadius": 1.0}, "its corner, 1 mm"),
+        ({"FlatRadius": 2.0}, "its corner, 1 mm"),
+        ({"CornerRadius": 2.5}, "ridges"),  # flat over 1 mm, steps of 2.4
+        ({}, "ridges"),
+    ],
+)
+def test_a_bull_nose_leaves_ridges_where_steps_are_wider_than_its_flat_end(has, told):
+    tool = SimpleNamespace(ShapeType="Bullnose", Label="Bull", Diameter=6.0, **has)
+    controller = SimpleNamespace(
+        Proxy=SimpleNamespace(getTool=lambda _: tool), SpindleSpeed=1000, SpindleDir="Forward"
+    )
+    (notice,) = remarks.tool(controller, 5.0, 2.4)
+    assert told in str(notice)
 
 
 def test_progress_covers_all_pockets_and_is_opened_once(doc, monkeypatch):

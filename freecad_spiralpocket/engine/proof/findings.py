@@ -105,7 +105,7 @@ def tell_engagement(
     return [
         Notice(
             f"At {{at}} the engagement reaches {np.degrees(angle):.0f} degrees, the step-over of "
-            f"{percent:.0f} % allows {np.degrees(limit):.0f}; {100 * share:.2g} % of the cut "
+            f"{percent:.3g} % allows {np.degrees(limit):.0f}; {100 * share:.2g} % of the cut "
             "clearly pass that.",
             hint,
             place,

@@ -12,7 +12,7 @@ import numpy as np
 import Path
 
 from ...engine.errors import CancelledError, SpiralPocketError
-from ...engine.model import Notice, Plan
+from ...engine.model import Notice, Plan, Report
 from ...op import commands, request, results
 from ..texts.choices import choice_text
 from ..texts.localized import in_panel
@@ -53,10 +53,7 @@ def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
         (translate("SpiralPocket", "Cutting length"), length(float(lengths.sum()))),
         (
             translate("SpiralPocket", "Largest engagement"),
-            translate("SpiralPocket", "{:.0f}°, limit {:.0f}°").format(
-                np.degrees(max(r.engagement_max for r in reports)),
-                np.degrees(max(r.engagement_limit for r in reports)),
-            ),
+            _largest_engagement(reports),
         ),
         (translate("SpiralPocket", "Mean engagement"), f"{np.degrees(mean):.0f}°"),
         (
@@ -82,16 +79,24 @@ def summary_of(obj: Any, plans: Sequence[Plan], remarks: Sequence[Remark], missi
     reports = [p.report for p in plans]
     parts = [
         duration(results.machining_time(plans) if timed else 0.0),
-        translate("SpiralPocket", "{:.0f}°, limit {:.0f}°").format(
-            np.degrees(max(r.engagement_max for r in reports)),
-            np.degrees(max(r.engagement_limit for r in reports)),
-        ),
+        _largest_engagement(reports),
     ]
     if missing:
         parts.append(translate("SpiralPocket", "pockets not cut: {}").format(missing))
     if remarks:
         parts.append(translate("SpiralPocket", "remarks: {}").format(len(remarks)))
     return "; ".join(parts)
+
+
+def _largest_engagement(reports: Sequence[Report]) -> str:
+    """Return it and the limit; where all is the way down, that it is the whole width."""
+    largest = max(r.engagement_max for r in reports)
+    if largest == 0:
+        deep = small(max(r.entry_bite for r in reports))
+        return translate("SpiralPocket", "whole width, {} deep").format(deep)
+    return translate("SpiralPocket", "{:.0f}°, limit {:.0f}°").format(
+        np.degrees(largest), np.degrees(max(r.engagement_limit for r in reports))
+    )
 
 
 def naive_time(tool_controller: Any, plans: Sequence[Plan]) -> float:

@@ -29,6 +29,9 @@ CONTEXT = "SpiralPocketMessages"
 #: What the engine puts into its sentences, or says beside them.
 PHRASES = (
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "the pocket"),
+    QT_TRANSLATE_NOOP("SpiralPocketMessages", "feeds"),
+    QT_TRANSLATE_NOOP("SpiralPocketMessages", "horizontal feed"),
+    QT_TRANSLATE_NOOP("SpiralPocketMessages", "vertical feed"),
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "rapid"),
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "link"),
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "The cutter's diameter"),
