@@ -2,14 +2,15 @@
 """Rest machining: what earlier operations of the job have left standing in a pocket.
 
 Their paths are read as they are, whichever operation made them: what a flat cutter has swept at the
-depth of the pocket's floor, or deeper, is gone. As in FreeCAD's own pockets these are the
-operations that stand before this one in the job and are active.
+depth of the pocket's floor, or deeper, is gone; where walls are not upright, at the depth of every
+level. As in FreeCAD's own pockets these are the operations that stand before this one in the job
+and are active.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -19,7 +20,7 @@ from shapely import MultiPolygon, Polygon
 from ..engine.contact.swept import Pieces, cut_into_pieces
 from ..engine.errors import RequestError
 from ..engine.model import PocketRequest
-from ..engine.proof.coverage import uncut_floor
+from ..engine.proof.coverage import reachable_floor, uncut_floor
 from ..engine.shapes.region import polygons_of
 from ..gcode import parse_program
 from .compat import operation_property, parent_job, tool_shape
@@ -51,31 +52,59 @@ def rest_of(wanted: PocketRequest, obj: Any, known: dict[Any, Any]) -> PocketReq
     known : dict
         See `Pockets`.
     """
-    pocket, floor = wanted.pocket, wanted.floor
-    rest: shapely.Geometry = pocket
-    for operation, diameter in _cutters_before(obj):
-        path = operation.Path
-        program = path.toGCode()
-        key = (program, diameter, rest.wkb, floor, wanted.axial_depth)
-        if key not in known:
-            pieces = _pieces(program, diameter / 2, floor, wanted.axial_depth)
-            known[key] = rest
-            if pieces is not None:
-                known[key] = uncut_floor(rest, pieces, floor + SHALLOW, diameter / 2, 0.0)
-        rest = known[key]
-    if rest is pocket:
+    floors = [(s.pocket, s.z) for s in wanted.sections] or [(wanted.pocket, wanted.floor)]
+    cutters = list(_cutters_before(obj))
+    rests = [_standing(floor, cutters, wanted, known) for floor in floors]
+    if all(rest is pocket for rest, (pocket, _) in zip(rests, floors, strict=True)):
         return wanted
-    rest = shapely.buffer(shapely.buffer(rest, -SKIN), SKIN + MORE)
-    cleared = shapely.difference(pocket, rest)
+    rests = [shapely.buffer(shapely.buffer(rest, -SKIN), SKIN + MORE) for rest in rests]
+    if wanted.sections:
+        # corners that stay at one level are nothing to cut at another
+        radius, left = wanted.cutter_radius, wanted.cutting.stock_to_leave
+        within = [reachable_floor(pocket, radius, left) for pocket, _ in floors]
+        rests = [shapely.intersection(rest, w) for rest, w in zip(rests, within, strict=True)]
+    rest = shapely.union_all(rests)  # where at some level something stands
+    cleared = shapely.difference(floors[0][0], rest)
     around = wanted.stock
     if around is None:
         reach = AROUND * wanted.tool_diameter
         # walls that lean outwards are far beyond the floor
         widest = [s.pocket if s.mouth is None else s.mouth for s in wanted.sections]
-        bounds = shapely.total_bounds([pocket, *widest])
+        bounds = shapely.total_bounds([wanted.pocket, *widest])
         around = shapely.buffer(shapely.box(*bounds), reach, join_style="mitre")
     parts = polygons_of(shapely.difference(around, cleared))
     return replace(wanted, stock=parts[0] if len(parts) == 1 else MultiPolygon(parts))
+
+
+def _standing(
+    floor: tuple[Polygon, float],
+    cutters: Sequence[tuple[Any, float]],
+    wanted: PocketRequest,
+    known: dict[Any, Any],
+) -> shapely.Geometry:
+    """Return what earlier operations have left of a level's floor; itself if they were not there.
+
+    Parameters
+    ----------
+    floor : tuple of shapely.Polygon and float
+        The pocket at the bottom of the level, and that bottom's Z [mm].
+    cutters : sequence of tuple
+        See `_cutters_before`.
+    wanted, known
+        See `rest_of`.
+    """
+    pocket, z = floor
+    rest: shapely.Geometry = pocket
+    for operation, diameter in cutters:
+        program = operation.Path.toGCode()
+        key = (program, diameter, rest.wkb, z, wanted.axial_depth)
+        if key not in known:
+            pieces = _pieces(program, diameter / 2, z, wanted.axial_depth)
+            known[key] = rest
+            if pieces is not None:
+                known[key] = uncut_floor(rest, pieces, z + SHALLOW, diameter / 2, 0.0)
+        rest = known[key]
+    return rest
 
 
 def share_cleared(request: PocketRequest) -> float:

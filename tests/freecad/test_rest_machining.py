@@ -51,16 +51,17 @@ def cut(job, part, controller, **options):
     return api.add_spiral_pocket(job, base, controller, **options)
 
 
-def swept(op, diameter):
-    """Return the ground that an operation clears down to the floor."""
-    deep = [p[:2] for p in places(motion(op), 0.2) if p[2] < -DEPTH + 0.001]
+def swept(op, diameter, z=-DEPTH):
+    """Return the ground that an operation clears down to the floor, or to another height."""
+    deep = [p[:2] for p in places(motion(op), 0.2) if p[2] < z + 0.001]
     return shapely.union_all(
         shapely.buffer(shapely.points(np.array(deep)), diameter / 2, quad_segs=32)
     )
 
 
-def reachable(points, diameter):
-    return shapely.Polygon(points).buffer(-diameter / 2).buffer(diameter / 2, quad_segs=64)
+def reachable(outline, diameter):
+    ground = outline if isinstance(outline, shapely.Polygon) else shapely.Polygon(outline)
+    return ground.buffer(-diameter / 2).buffer(diameter / 2, quad_segs=64)
 
 
 @pytest.mark.parametrize(
@@ -185,13 +186,31 @@ def flared(width, height, by, around=12):
     return block.cut(Part.makeLoft([outline(0, -DEPTH), outline(by, 0)], True))
 
 
-def test_slanted_walls_count_by_the_floor(doc):
+def test_slanted_walls_count_level_by_level(doc):
     shape = flared(50, 40, 3)
     job, part, large, small = job_of(doc, shape)
     cut(job, part, large, StepDown=3.0)
     rest = cut(job, part, small, StepDown=3.0, UseRestMachining=True)
     assert len(gouges(Surface.of(shape), places(motion(rest), 1.5), SMALL / 2, 0.01)) == 0
     assert rest.Proxy.plans[0].report.uncut_area < 0.05
+    # only corners
+    wanted = rest.Proxy.plans[0].request
+    assert all(wanted.to_clear(s.pocket).area < 0.1 * s.pocket.area for s in wanted.sections)
+    with pytest.raises(AlreadyClearedError):
+        cut(job, part, small, StepDown=3.0, UseRestMachining=True)
+
+
+def test_slanted_walls_that_were_cut_in_wider_steps_keep_steps(doc):
+    shape = flared(50, 40, 3)
+    job, part, large, _ = job_of(doc, shape)
+    cut(job, part, large, StepDown=DEPTH)
+    rest = cut(job, part, large, StepDown=DEPTH / 2, UseRestMachining=True)
+    upper, _ = rest.Proxy.plans[0].request.sections
+    before = swept(job.Operations.Group[0], LARGE)
+    standing = reachable(upper.pocket, LARGE).difference(before.buffer(0.05))
+    assert standing.area > 10
+    assert rest.Proxy.plans[0].request.stock.buffer(0.01).covers(standing)
+    assert standing.difference(swept(rest, LARGE, upper.z)).buffer(-0.05).is_empty
 
 
 def test_walls_that_flare_far_beyond_the_floor_are_stock(doc):
@@ -202,7 +221,7 @@ def test_walls_that_flare_far_beyond_the_floor_are_stock(doc):
     (asked,) = requests_of(rest)[0]
     top = asked.sections[0]
     assert top.pocket.bounds[0] < -AROUND * SMALL - SMALL
-    standing = top.pocket.difference(swept(first, LARGE).buffer(0.1))
+    standing = reachable(top.pocket, SMALL).difference(swept(first, LARGE).buffer(0.1))
     assert asked.stock.buffer(0.01).covers(standing)
 
 

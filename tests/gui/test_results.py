@@ -30,7 +30,8 @@ from window import (
 
 from freecad_spiralpocket.gui.planning import lanes
 from freecad_spiralpocket.gui.texts.measures import duration
-from freecad_spiralpocket.op import operation
+from freecad_spiralpocket.op import compat
+from freecad_spiralpocket.op import remarks as op_remarks
 
 
 def page():
@@ -172,8 +173,8 @@ def test_what_changes_no_path_is_told_as_well(opened):
 
 
 def test_rounded_tool_is_told_before_it_cuts(job, floor, monkeypatch):
-    shape = operation.tool_shape(job.Tools.Group[0].Tool)
-    monkeypatch.setattr(operation, "ROUND_TOOLS", (shape,))
+    shape = compat.tool_shape(job.Tools.Group[0].Tool)
+    monkeypatch.setattr(op_remarks, "ROUND_TOOLS", (shape,))
     select(floor)
     press_toolbar_button()
     settle()
