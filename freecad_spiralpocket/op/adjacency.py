@@ -133,3 +133,11 @@ def _rises_along(adjacency: Adjacency, own: int | None, face: Any, other: int, e
     if abs(lean) > _TANGENT:
         return lean > 0
     return bool(above)
+
+
+def normal_of_plane(face: Any) -> Any:
+    """Return the outward normal of a flat face, None for a curved one."""
+    if not isinstance(face.Surface, Part.Plane) and face.findPlane() is None:
+        return None
+    u0, u1, v0, v1 = face.ParameterRange
+    return face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)

@@ -70,7 +70,8 @@ class Pockets:
         solids = self._known.setdefault("adjacency", {})
         self._solids = [s for shape in self._shapes for s in solids_of(shape, solids)]
         groups = seams.groups(selection.selected(obj.Base))
-        self._selected = [floor for group in groups for floor in self._floors_of(*group)]
+        found = [floor for group in groups for floor in self._floors_of(*group)]
+        self._selected = self._without_twins(found)
 
     def requests(self) -> list[Found]:
         """Return for each selected floor it and its request, or None and what is the matter."""
@@ -170,6 +171,21 @@ class Pockets:
         if len(names) == 1 or isinstance(self._floor(model, names), selection.Floor):
             return [(model, names)]
         return [(model, [name]) for name in names]
+
+    def _without_twins(
+        self, found: Sequence[tuple[Any, Sequence[str]]]
+    ) -> list[tuple[Any, Sequence[str]]]:
+        """Return faces without further walls of the same window."""
+        kept: list[tuple[Any, Sequence[str]]] = []
+        windows: list[selection.Floor] = []
+        for face in found:
+            floor = self._floor(*face)
+            if isinstance(floor, selection.Floor) and floor.is_window:
+                if any(selection.are_at_one_place(floor, other) for other in windows):
+                    continue
+                windows.append(floor)
+            kept.append(face)
+        return kept
 
     def _floor(self, model: Any, names: Sequence[str]) -> selection.Floor | SpiralPocketError:
         """Return the floor that faces are, or why they are none."""

@@ -36,14 +36,14 @@ def joined(solid: Any, faces: Sequence[Any]) -> tuple[Any, Any] | None:
     """Return a solid without seams and the face of it that some faces make, None if none does."""
     whole = solid.removeSplitter()
     area, z = sum(face.Area for face in faces), faces[0].BoundBox.ZMin
-    inside = _inside(faces[0])
+    place = inside(faces[0])
     for face in whole.Faces:
         box = face.BoundBox
         if (
             box.ZLength < SAME_HEIGHT
             and abs(box.ZMin - z) < SAME_HEIGHT
             and abs(face.Area - area) < SAME_AREA * area
-            and face.isInside(inside, SAME_HEIGHT, True)
+            and face.isInside(place, SAME_HEIGHT, True)
         ):
             return (whole.Solids[0], face) if whole.Solids else None
     return None
@@ -61,7 +61,7 @@ def _level_edges(model: Any, name: str) -> set[tuple[int, int]]:
     return {(edge.hashCode(), round(box.ZMin / SAME_HEIGHT)) for edge in face.Edges}
 
 
-def _inside(face: Any) -> Any:
+def inside(face: Any) -> Any:
     """Return a point inside a flat face, the middle of one of its triangles."""
     points, triangles = face.tessellate(0.1)
     a, b, c = (points[i] for i in triangles[0])

@@ -97,7 +97,7 @@ class _Shapes:
         self._floor, self._walls = floor, walls
         self._flats = sorted(walls.ledges(floor.z, top + ABOVE), reverse=True)
         self._rim = self._open_from = float("inf")
-        faces = [(o.z, o.face) for o in others if o.solid.isSame(floor.solid)]
+        faces = [(o.z, o.face) for o in others if o.part.isSame(floor.part)]
         for z, place in self._flats:
             taken = any(abs(oz - z) < SAME_HEIGHT and _has(face, place, z) for oz, face in faces)
             if taken and self._widens(z, place):

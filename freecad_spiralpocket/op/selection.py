@@ -2,7 +2,8 @@
 """From what the user selected to floors of pockets, or a sentence that says why not.
 
 A floor is a flat, level face of a solid that looks up and has a wall rising from
-its outline, or an island standing on it (adjacency.py).
+its outline, or an island standing on it (adjacency.py); that of a window is laid
+under it (windows.py).
 """
 
 from __future__ import annotations
@@ -11,11 +12,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import Part
-
 from ..engine.errors import SelectionError, SetupError
-from . import seams
-from .adjacency import Adjacency
+from . import seams, windows
+from .adjacency import Adjacency, normal_of_plane
 from .compat import STALE_ELEMENT_ERRORS, PathUtil
 from .seams import SAME_HEIGHT
 from .solids import solids_of
@@ -25,7 +24,10 @@ LEVEL_TOLERANCE = 1e-4
 #: Copies of a solid may differ by so much, over its volume.
 SAME_VOLUME = 1e-6
 
-_PICK_A_FLOOR = "Select the floor of the pocket, a flat level face with walls around it."
+_PICK_A_FLOOR = (
+    "Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole "
+    "through the part."
+)
 #: Where seams part a floor.
 PICK_ALL = "Select all faces that make the floor, or refine the part."
 
@@ -49,6 +51,8 @@ class Floor:
         Whether another face of the solid carries it on beyond its outline.
     adjacency : Adjacency
         Of the solid.
+    part : Part.Solid
+        The part's own solid, where that has no board under a window.
     """
 
     model: Any
@@ -59,6 +63,12 @@ class Floor:
     open_edges: int
     goes_on: bool
     adjacency: Adjacency
+    part: Any
+
+    @property
+    def is_window(self) -> bool:
+        """Return whether it is a board under a window."""
+        return not self.part.isSame(self.solid)
 
     @property
     def label(self) -> str:
@@ -117,14 +127,18 @@ def floor(
     where = label(model, ", ".join(names))
     shape = model.Shape if shape is None else shape
     faces = [_element(shape, label(model, name), name) for name in names]
+    if any(face.ShapeType != "Face" for face in faces):
+        raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
+    if not _is_level(faces[0]):
+        window = _window(model, names[0], shape, faces[0], known)
+        if window is not None:
+            return window
     for face in faces:
-        if face.ShapeType != "Face":
-            raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
         _check_level(face, where)
     solid, adjacency = _solid_of(shape, faces[0], where, known)
     faces = [adjacency.same_as(face) or face for face in faces]
     face = faces[0]
-    if _normal_of_plane(face).z < 0:
+    if normal_of_plane(face).z < 0:
         raise SelectionError(
             f"{where} looks down.", "Select the floor of the pocket, or turn the part over."
         )
@@ -147,20 +161,45 @@ def floor(
             PICK_ALL if goes_on else _PICK_A_FLOOR,
         )
     open_edges = len(around) - walled
-    return Floor(model, ", ".join(names), face, solid, z, open_edges, goes_on, adjacency)
+    # without seams it is another solid, of the same part
+    return Floor(model, ", ".join(names), face, solid, z, open_edges, goes_on, adjacency, solid)
+
+
+def _window(model: Any, name: str, shape: Any, wall: Any, known: dict[Any, Any]) -> Floor | None:
+    """Return the floor under the window that a face is a wall of, None if it is of none."""
+    part, adjacency = _solid_of(shape, wall, label(model, name), known)
+    window = windows.window_of(adjacency, wall)
+    found = None if window is None else windows.with_board(part, window)
+    if found is None:
+        return None
+    solid, face = found
+    return Floor(model, name, face, solid, window.z, 0, False, Adjacency(solid), part)
 
 
 def heights(base: list[tuple[Any, Any]]) -> list[float]:
-    """Return the heights of the level faces in FreeCAD's list `base` [mm], without the rest."""
-    result = []
+    """Return the heights of the level faces in FreeCAD's list `base` [mm], and of windows.
+
+    Without the rest.
+    """
+    result: list[float] = []
+    known: dict[Any, Any] = {}
     for model, names in base or []:
         for name in [names] if isinstance(names, str) else names:
             try:
-                box = model.Shape.getElement(name).BoundBox
+                face = model.Shape.getElement(name)
             except STALE_ELEMENT_ERRORS:
                 continue
-            if box.ZLength < SAME_HEIGHT:
-                result.append(box.ZMin)
+            if _is_level(face):
+                result.append(face.BoundBox.ZMin)
+                continue
+            if face.ShapeType != "Face":
+                continue
+            try:
+                _, adjacency = _solid_of(model.Shape, face, name, known)
+            except SelectionError:
+                continue
+            window = windows.window_of(adjacency, face)
+            result += [] if window is None else [window.z]
     return result
 
 
@@ -200,19 +239,27 @@ def check_stock(floor: Floor, obj: Any, stock: Any) -> None:
         )
 
 
+def are_at_one_place(floor: Floor, other: Floor) -> bool:
+    """Return whether two floors are the same ground."""
+    return bool(
+        abs(floor.z - other.z) < SAME_HEIGHT
+        and floor.face.CenterOfMass.isEqual(other.face.CenterOfMass, SAME_HEIGHT)
+    )
+
+
 def others(floor: Floor, solids: Iterable[Any]) -> list[Any]:
     """Return which of a job's solids are others than the floor's and may reach over it."""
     # the box of a solid takes as long as those of all of its faces
-    solids = [solid for solid in solids if not solid.isSame(floor.solid)]
+    solids = [solid for solid in solids if not solid.isSame(floor.part)]
     if not solids:
         return []
-    own = floor.solid.BoundBox
+    own = floor.part.BoundBox
     found = []
     for solid in solids:
         box = solid.BoundBox
         beside = box.XMax < own.XMin or box.XMin > own.XMax
         beside = beside or box.YMax < own.YMin or box.YMin > own.YMax
-        if not beside and box.ZMax > floor.z + SAME_HEIGHT and not _are_same(solid, floor.solid):
+        if not beside and box.ZMax > floor.z + SAME_HEIGHT and not _are_same(solid, floor.part):
             found.append(solid)
     return found
 
@@ -256,22 +303,18 @@ def _element(shape: Any, where: str, name: str) -> Any:
         ) from error
 
 
+def _is_level(face: Any) -> bool:
+    return bool(face.BoundBox.ZLength < SAME_HEIGHT)
+
+
 def _check_level(face: Any, where: str) -> None:
-    normal = _normal_of_plane(face)
+    normal = normal_of_plane(face)
     if normal is None:
         raise SelectionError(f"{where} is not flat.", _PICK_A_FLOOR)
     if abs(normal.z) < LEVEL_TOLERANCE:
         raise SelectionError(f"{where} is vertical: it is a wall, not a floor.", _PICK_A_FLOOR)
     if abs(normal.z) < 1 - LEVEL_TOLERANCE**2 / 2:
         raise SelectionError(f"{where} is not level.", _PICK_A_FLOOR)
-
-
-def _normal_of_plane(face: Any) -> Any:
-    """Return the outward normal of a flat face, None for a curved one."""
-    if not isinstance(face.Surface, Part.Plane) and face.findPlane() is None:
-        return None
-    u0, u1, v0, v1 = face.ParameterRange
-    return face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
 
 
 def _solid_of(shape: Any, face: Any, where: str, known: dict[Any, Any]) -> tuple[Any, Adjacency]:
@@ -306,7 +349,9 @@ def find_floors(model: Any) -> Iterator[Floor]:
     """Yield every face of `model` that is the floor of a pocket, walled all around."""
     known: dict[int, Adjacency] = {}
     shape = model.Shape
-    for number in range(1, len(shape.Faces) + 1):
+    for number, face in enumerate(shape.Faces, 1):
+        if not _is_level(face):  # whether a window is a pocket only the machinist knows
+            continue
         try:
             found = floor(model, f"Face{number}", known, shape)
         except SelectionError:

@@ -995,8 +995,8 @@
         <translation>Die Bodenfläche der Tasche auswählen.</translation>
     </message>
     <message>
-        <source>Select the floor of the pocket, a flat level face with walls around it.</source>
-        <translation>Den Boden der Tasche auswählen, eine ebene waagerechte Fläche mit Wänden ringsum.</translation>
+        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part.</source>
+        <translation>Den Boden der Tasche auswählen, eine ebene waagerechte Fläche mit Wänden ringsum, oder eine Wand eines Durchbruchs.</translation>
     </message>
     <message>
         <source>Select the floor of the pocket, or turn the part over.</source>

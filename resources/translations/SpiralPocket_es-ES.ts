@@ -995,8 +995,8 @@
         <translation>Seleccione la cara del fondo de la cajera.</translation>
     </message>
     <message>
-        <source>Select the floor of the pocket, a flat level face with walls around it.</source>
-        <translation>Seleccione el fondo de la cajera, una cara plana y horizontal rodeada de paredes.</translation>
+        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part.</source>
+        <translation>Seleccione el fondo de la cajera, una cara plana y horizontal con paredes alrededor, o una pared de un hueco pasante.</translation>
     </message>
     <message>
         <source>Select the floor of the pocket, or turn the part over.</source>

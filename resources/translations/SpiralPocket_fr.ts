@@ -995,8 +995,8 @@
         <translation>Sélectionnez la face du fond de la poche.</translation>
     </message>
     <message>
-        <source>Select the floor of the pocket, a flat level face with walls around it.</source>
-        <translation>Sélectionnez le fond de la poche, une face plane et horizontale entourée de parois.</translation>
+        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part.</source>
+        <translation>Sélectionnez le fond de la poche, une face plane et horizontale entourée de parois, ou une paroi d’une ouverture qui traverse la pièce.</translation>
     </message>
     <message>
         <source>Select the floor of the pocket, or turn the part over.</source>

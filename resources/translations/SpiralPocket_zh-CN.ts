@@ -995,8 +995,8 @@
         <translation>请选择型腔底面。</translation>
     </message>
     <message>
-        <source>Select the floor of the pocket, a flat level face with walls around it.</source>
-        <translation>请选择型腔底面：四周有侧壁的水平平面。</translation>
+        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part.</source>
+        <translation>请选择型腔的底面（四周有侧壁的水平平面），或通孔的一个侧壁。</translation>
     </message>
     <message>
         <source>Select the floor of the pocket, or turn the part over.</source>

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Windows: holes through a part, which have no floor. They are told by any wall of theirs.
+
+A board is laid under the part, as a machinist does. Its top in the window is the floor: all else
+is as in any pocket. All faces of a hole that are not level belong together; where they end at a
+level face that looks down, within its outline, the hole goes through.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import Part
+from FreeCAD import Vector
+
+from .adjacency import Adjacency, normal_of_plane
+from .seams import SAME_HEIGHT, inside
+
+#: Smaller parts of a normal's length are none.
+LEVEL = 1e-6
+#: The board is so much wider than the window all around, and so thick [mm].
+MARGIN, THICKNESS = 1.0, 1.0
+
+
+@dataclass(frozen=True)
+class Window:
+    """A hole through a part.
+
+    Attributes
+    ----------
+    z : float
+        Height of its lower end [mm].
+    rim : Part.Wire
+        Its edge there.
+    """
+
+    z: float
+    rim: Any
+
+
+def window_of(adjacency: Adjacency, wall: Any) -> Window | None:
+    """Return the window that a face of a solid is a wall of, None if it is of none."""
+    number = adjacency.number(wall)
+    if number is None:
+        return None
+    found: dict[int, Window] = {}
+    seen, todo = {number}, [number]
+    while todo:
+        own = todo.pop()
+        for other in sorted(adjacency.around(own) - seen):
+            face = adjacency.faces[other]
+            normal = normal_of_plane(face)
+            if normal is None or abs(normal.z) < 1 - LEVEL:
+                seen.add(other)
+                todo.append(other)
+            elif normal.z < 0:
+                rim = _shared_wire(face, adjacency.faces[own])
+                if rim is None:  # the part's own outline
+                    return None
+                found[rim.hashCode()] = Window(face.BoundBox.ZMin, rim)
+    return next(iter(found.values())) if len(found) == 1 else None
+
+
+def with_board(solid: Any, window: Window) -> tuple[Any, Any] | None:
+    """Return a solid with a board under a window, and the floor that it makes; None if it fails."""
+    box, z = window.rim.BoundBox, window.z
+    size = (box.XLength + 2 * MARGIN, box.YLength + 2 * MARGIN, THICKNESS)
+    board = Part.makeBox(*size, Vector(box.XMin - MARGIN, box.YMin - MARGIN, z - THICKNESS))
+    whole, place = solid.fuse(board), inside(Part.Face(window.rim))
+    for face in whole.Faces:
+        box, normal = face.BoundBox, normal_of_plane(face)
+        is_there = box.ZLength < SAME_HEIGHT and abs(box.ZMin - z) < SAME_HEIGHT
+        if is_there and normal.z > 0 and face.isInside(place, SAME_HEIGHT, True):
+            return (whole.Solids[0], face) if whole.Solids else None
+    return None
+
+
+def _shared_wire(face: Any, other: Any) -> Any:
+    """Return the wire within the outline of a face that has edges of another; None if none has."""
+    edges = {edge.hashCode() for edge in other.Edges}
+    outline = max(face.Wires, key=lambda wire: wire.BoundBox.DiagonalLength)
+    for wire in face.Wires:
+        if edges & {edge.hashCode() for edge in wire.Edges}:
+            return None if wire.isSame(outline) else wire
+    return None
