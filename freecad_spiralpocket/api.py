@@ -70,7 +70,7 @@ def add_spiral_pocket(
     base : iterable of (model, names)
         The floors of the pockets: the part as the job refers to it or the original that was
         given to the job, of a body its tip too, and the name or names of faces, such as
-        ``["Face12", "Face15"]``.
+        ``["Face12", "Face15"]``; of a hole through the part, any wall.
     tool_controller : object, optional
         One of the job's; without it that of the last operation, else the job's first.
     **values

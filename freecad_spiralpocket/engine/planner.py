@@ -21,7 +21,13 @@ from shapely.geometry.polygon import orient
 from .checks import check_request
 from .contact.engagement import Engagement, engagement_of
 from .dependencies import require_libraries
-from .errors import AlreadyClearedError, ProofError, SpiralPocketError, report_progress
+from .errors import (
+    AlreadyClearedError,
+    ProofError,
+    SpiralPocketError,
+    report_progress,
+    told_area,
+)
 from .floor import FloorPath
 from .floor_paths import FloorPaths, floor_path, floor_paths
 from .growth.front_rules import MEETING
@@ -86,11 +92,12 @@ def plan(
     )
     other: dict[int, PocketRequest] = {}
     again = partial(_planned_again, used=other, progress=progress)
-    proved = repaired(prove_cuts(cuts), request, prove_cuts, again)
+    first = prove_cuts(cuts)
+    proved = repaired(first, request, prove_cuts, again)
     toolpath, report = proved.toolpath, proved.report
     _refuse_bad(proved, request)
     report_progress(progress, 1.0, "Done")
-    changed = _change_notices(proved.cuts, other, request) or _width_notices(request)
+    changed = _change_notices(proved.cuts, other, first, request) or _width_notices(request)
     told = (*notices, *uncut, *changed, *_start_notices(toolpath, request), *report.notices)
     report = replace(report, notices=told)
     return Plan(asked, toolpath, report, _curves(proved.cuts, request))
@@ -211,10 +218,17 @@ def _planned_again(
 
 
 def _change_notices(
-    cuts: Sequence[Cut], used: dict[int, PocketRequest], request: PocketRequest
+    cuts: Sequence[Cut], used: dict[int, PocketRequest], first: Proved, request: PocketRequest
 ) -> list[Notice]:
-    """Return what is to be told of regions that are cut by other settings than those asked for."""
+    """Return what is to be told of regions that are cut by other settings than those asked for.
+
+    `first` is what came of those.
+    """
     told: dict[int, Notice] = {}
+    gouge, hit, left = badness(first, request)
+    why = "the path asked for failed its proof"
+    if not gouge and not hit:
+        why = f"the path asked for would leave {told_area(left)} mm2 standing"
     for cut in cuts:
         other = used.get(id(cut.path.entry))
         if other is None:
@@ -224,13 +238,13 @@ def _change_notices(
         if other.strategy is request.strategy:
             message = (
                 f"The pocket at {{at}} is cut with a step-over of {taken:.3g} mm instead of "
-                f"{asked:.3g} mm: the path asked for failed its proof."
+                f"{asked:.3g} mm: {why}."
             )
             hint = f"Set StepOver to {100 * taken / request.tool_diameter:.0f}, or a smaller one."
         else:
             message = (
                 f"The pocket at {{at}} is cut by {other.strategy.value} instead of "
-                f"{request.strategy.value}: the path asked for failed its proof."
+                f"{request.strategy.value}: {why}."
             )
             hint = "Choose that strategy, or another step-over."
         told[id(cut.path.entry)] = Notice(message, hint, (float(place.x), float(place.y)))

@@ -587,6 +587,14 @@
         <translation>Verbindung</translation>
     </message>
     <message>
+        <source>the path asked for failed its proof</source>
+        <translation>Der verlangte Pfad bestand die Prüfung nicht</translation>
+    </message>
+    <message>
+        <source>the path asked for would leave {0} mm2 standing</source>
+        <translation>Der verlangte Pfad ließe {0} mm2 stehen</translation>
+    </message>
+    <message>
         <source>The cutter's diameter</source>
         <translation>Fräserdurchmesser</translation>
     </message>
@@ -1283,12 +1291,12 @@
         <translation>Die Platte hat mehrere Gipfel.</translation>
     </message>
     <message>
-        <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>
-        <translation>Die Tasche bei {at} wird mit {0} statt {1} gefräst: Der verlangte Pfad bestand die Prüfung nicht.</translation>
+        <source>The pocket at {at} is cut by {0} instead of {1}: {2}.</source>
+        <translation>Die Tasche bei {at} wird mit {0} statt {1} gefräst: {2}.</translation>
     </message>
     <message>
-        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: the path asked for failed its proof.</source>
-        <translation>Die Tasche bei {at} wird mit {0} statt {1} mm seitlicher Zustellung gefräst: Der verlangte Pfad bestand die Prüfung nicht.</translation>
+        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: {2}.</source>
+        <translation>Die Tasche bei {at} wird mit {0} statt {1} mm seitlicher Zustellung gefräst: {2}.</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>

@@ -587,6 +587,14 @@
         <translation>enlace</translation>
     </message>
     <message>
+        <source>the path asked for failed its proof</source>
+        <translation>la trayectoria pedida no superó la comprobación</translation>
+    </message>
+    <message>
+        <source>the path asked for would leave {0} mm2 standing</source>
+        <translation>la trayectoria pedida dejaría {0} mm2 en pie</translation>
+    </message>
+    <message>
         <source>The cutter's diameter</source>
         <translation>Diámetro de la fresa</translation>
     </message>
@@ -1283,12 +1291,12 @@
         <translation>La placa tiene varias cumbres.</translation>
     </message>
     <message>
-        <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>
-        <translation>La cajera en {at} se corta con {0} en lugar de {1}: la trayectoria pedida no superó la comprobación.</translation>
+        <source>The pocket at {at} is cut by {0} instead of {1}: {2}.</source>
+        <translation>La cajera en {at} se corta con {0} en lugar de {1}: {2}.</translation>
     </message>
     <message>
-        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: the path asked for failed its proof.</source>
-        <translation>La cajera en {at} se corta con un paso lateral de {0} mm en lugar de {1} mm: la trayectoria pedida no superó la comprobación.</translation>
+        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: {2}.</source>
+        <translation>La cajera en {at} se corta con un paso lateral de {0} mm en lugar de {1} mm: {2}.</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>

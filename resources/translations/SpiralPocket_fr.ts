@@ -587,6 +587,14 @@
         <translation>liaison</translation>
     </message>
     <message>
+        <source>the path asked for failed its proof</source>
+        <translation>le parcours demandé n'a pas passé la vérification</translation>
+    </message>
+    <message>
+        <source>the path asked for would leave {0} mm2 standing</source>
+        <translation>le parcours demandé laisserait {0} mm2 debout</translation>
+    </message>
+    <message>
         <source>The cutter's diameter</source>
         <translation>Diamètre de la fraise</translation>
     </message>
@@ -1283,12 +1291,12 @@
         <translation>La plaque a plusieurs sommets.</translation>
     </message>
     <message>
-        <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>
-        <translation>La poche en {at} est usinée avec {0} au lieu de {1} : le parcours demandé n'a pas passé la vérification.</translation>
+        <source>The pocket at {at} is cut by {0} instead of {1}: {2}.</source>
+        <translation>La poche en {at} est usinée avec {0} au lieu de {1} : {2}.</translation>
     </message>
     <message>
-        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: the path asked for failed its proof.</source>
-        <translation>La poche en {at} est usinée avec un pas latéral de {0} mm au lieu de {1} mm : le parcours demandé n'a pas passé la vérification.</translation>
+        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: {2}.</source>
+        <translation>La poche en {at} est usinée avec un pas latéral de {0} mm au lieu de {1} mm : {2}.</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>

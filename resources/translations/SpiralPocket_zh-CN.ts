@@ -587,6 +587,14 @@
         <translation>连接</translation>
     </message>
     <message>
+        <source>the path asked for failed its proof</source>
+        <translation>所要求的路径未通过验证</translation>
+    </message>
+    <message>
+        <source>the path asked for would leave {0} mm2 standing</source>
+        <translation>所要求的路径会残留 {0} mm2</translation>
+    </message>
+    <message>
         <source>The cutter's diameter</source>
         <translation>刀具直径</translation>
     </message>
@@ -1283,12 +1291,12 @@
         <translation>板上有多个峰。</translation>
     </message>
     <message>
-        <source>The pocket at {at} is cut by {0} instead of {1}: the path asked for failed its proof.</source>
-        <translation>{at} 处的型腔改用 {0} 而非 {1} 切削：所要求的路径未通过验证。</translation>
+        <source>The pocket at {at} is cut by {0} instead of {1}: {2}.</source>
+        <translation>{at} 处的型腔改用 {0} 而非 {1} 切削：{2}。</translation>
     </message>
     <message>
-        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: the path asked for failed its proof.</source>
-        <translation>{at} 处的型腔以 {0} mm 而非 {1} mm 的步距切削：所要求的路径未通过验证。</translation>
+        <source>The pocket at {at} is cut with a step-over of {0} mm instead of {1} mm: {2}.</source>
+        <translation>{at} 处的型腔以 {0} mm 而非 {1} mm 的步距切削：{2}。</translation>
     </message>
     <message>
         <source>The pocket has no area.</source>

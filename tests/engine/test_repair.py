@@ -204,8 +204,9 @@ def test_what_a_smaller_stepover_leaves_as_it_was_goes_to_the_other_strategy_at_
 def test_what_the_other_strategy_refuses_goes_to_the_last(use, faulty):
     made = use(faulty, other=refuses, last=sound)
     assert made.report.uncut_area < 0.01
-    (told,) = [n for n in made.report.notices if "failed its proof" in n.message]
+    (told,) = [n for n in made.report.notices if "the path asked for" in n.message]
     assert "by Extended Archimedean instead of Automatic" in told.message
+    assert ("mm2 standing" in told.message) == (faulty is leaves_an_edge)
 
 
 def test_ground_that_stays_is_told_with_place_and_area(use):

@@ -34,6 +34,8 @@ PHRASES = (
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "vertical feed"),
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "rapid"),
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "link"),
+    QT_TRANSLATE_NOOP("SpiralPocketMessages", "the path asked for failed its proof"),
+    QT_TRANSLATE_NOOP("SpiralPocketMessages", "the path asked for would leave {0} mm2 standing"),
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "The cutter's diameter"),
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "The horizontal feed"),
     QT_TRANSLATE_NOOP("SpiralPocketMessages", "The vertical feed"),
