@@ -144,6 +144,21 @@ def test_each_loop_is_cut_whole_at_its_level(name, angle):
     np.testing.assert_allclose(path[-1], [*made.inner[0], -5.0], atol=1e-6)
 
 
+@pytest.mark.parametrize("pocket", [SQUARE, L_SHAPE, LONG], ids=["square", "L", "long"])
+@pytest.mark.parametrize("last", [2.0, 4.0])
+def test_a_thin_last_level_is_opened_in_fewer_loops_as_gently(pocket, last):
+    """What is as deep as the others takes as long; what is left of a pocket's depth does not."""
+    reports = []
+    for depth in (6.0, 6.0 + last, 12.0):
+        heights = Heights(8.0, 3.0, 0.0, -depth, 6.0)
+        reports.append(plan(request(pocket, heights=heights)).report)
+    one, thin, two = reports
+    assert thin.time < two.time - 0.05 * one.time
+    assert thin.uncut_area == 0 and thin.gouge < 0.01
+    assert thin.engagement_p99 < one.engagement_p99 + math.radians(1)
+    assert thin.over_limit_share <= one.over_limit_share + 1e-3
+
+
 def test_thin_level_is_cut_by_the_loop_along_the_wall():
     made, region = stairs(SQUARE)
     path = slot_path(Slot(made.lines[-1], 1.8, made), Descent(-4.5, -5.0, math.radians(5)))

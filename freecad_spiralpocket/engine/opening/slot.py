@@ -21,6 +21,9 @@ from ..shapes.drawing_near import s_curve
 from ..shapes.points import distances_along
 from ..shapes.polyline import closed_line, points_at
 
+#: A level is thin that is no deeper than this over the deepest: what fewer loops leave beside them
+#: is no more than a lap may take at the full depth.
+THIN = 0.7
 #: A way from one line of stairs to the next, over how far that is.
 ASIDE = 2.5
 
@@ -52,10 +55,13 @@ def slot_levels(slot: Slot, angle: float, depth: float) -> int:
 
     No ramp is longer than once round it: about a short one there are more levels than its bite asks
     for, until all of it is ramp. Stairs are made for the deepest level of a pocket; in a thin one
-    the loop along the wall does alone.
+    the last of its loops do, as many as it has bites.
     """
     if slot.stairs is not None:
-        return len(slot.stairs.drops) if depth > slot.bite else 1
+        drops = slot.stairs.drops
+        if depth * drops[0] > THIN * slot.bite:  # all but the last are a bite deep
+            return len(drops)
+        return max(1, math.ceil(depth / slot.bite - 1e-9))
     bite = min(slot.bite, closed_line(slot.ring).length * math.tan(angle))
     return max(1, math.ceil(depth / bite - 1e-9))
 
@@ -123,7 +129,7 @@ def _loops(slot: Slot, down: Descent) -> tuple[Floats, Floats, Floats, Floats]:
         return drops, drops / math.tan(down.angle), lines, asides
     lines = np.concatenate([stairs.lines[-loops:], stairs.inner[None]])
     asides[1:] = ways_aside(stairs)[-loops:]
-    if loops > 1:
+    if loops == len(stairs.drops):
         drops = down.depth * stairs.drops
     ramps = drops / math.tan(down.angle)
     return drops, ramps * _stretch(lines[0], slot.ring, ramps[0]), lines, asides
