@@ -452,6 +452,10 @@
         <translation>Zeit auf {}</translation>
     </message>
     <message>
+        <source>{} (allowed: {})</source>
+        <translation>{} (erlaubt: {})</translation>
+    </message>
+    <message>
         <source>pockets not cut: {}</source>
         <translation>Taschen nicht gefräst: {}</translation>
     </message>

@@ -452,6 +452,10 @@
         <translation>Tiempo en {}</translation>
     </message>
     <message>
+        <source>{} (allowed: {})</source>
+        <translation>{} (admitido: {})</translation>
+    </message>
+    <message>
         <source>pockets not cut: {}</source>
         <translation>cajeras sin mecanizar: {}</translation>
     </message>

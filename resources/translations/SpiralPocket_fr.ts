@@ -452,6 +452,10 @@
         <translation>Temps sur {}</translation>
     </message>
     <message>
+        <source>{} (allowed: {})</source>
+        <translation>{} (admis : {})</translation>
+    </message>
+    <message>
         <source>pockets not cut: {}</source>
         <translation>poches non usinées : {}</translation>
     </message>

@@ -452,6 +452,10 @@
         <translation>在 {} 上的用时</translation>
     </message>
     <message>
+        <source>{} (allowed: {})</source>
+        <translation>{}（允许 {}）</translation>
+    </message>
+    <message>
         <source>pockets not cut: {}</source>
         <translation>未加工的型腔：{}</translation>
     </message>

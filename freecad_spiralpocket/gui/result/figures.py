@@ -64,7 +64,12 @@ def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
             translate("SpiralPocket", "Left uncut in reach"),
             small(sum(r.uncut_area for r in reports), power=2),
         ),
-        (translate("SpiralPocket", "Gouge"), small(max(r.gouge for r in reports))),
+        (
+            translate("SpiralPocket", "Gouge"),
+            translate("SpiralPocket", "{} (allowed: {})").format(
+                small(max(r.gouge for r in reports)), small(obj.Tolerance.Value)
+            ),
+        ),
     ]
 
 
