@@ -140,6 +140,9 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
         raise SetupError(f"{job} is no job.", "Give a CAM job of an open document.")
     if not isinstance(path, str | os.PathLike):
         raise SetupError(f"{path} is no file to write.", "Give its path.")
+    for op in _active(job):
+        if _is_ours(op) and op.UseRestMachining:
+            op.touch()  # a document may have been changed where the add-on was not
     job.Document.recompute()  # a tool or a part that has changed touches no operation before
     _check_paths(job)
     with compat.active_document(job.Document):
@@ -182,17 +185,17 @@ def _check_paths(job: Any) -> None:
                 "FreeCAD's report view says why; mend it, or unset Active to do without "
                 "the operation.",
             )
+        if _is_ours(op) and not compat.has_motion(op.Path):
+            why = next(iter(op.Notices), "It was not computed.")
+            raise SetupError(
+                f"{op.Label} has no path. {why}", "Mend it, or unset Active to do without it."
+            )
         missing = request.missing_feeds(op.ToolController) if _is_ours(op) else ""
         if missing:
             raise SetupError(
                 f"{op.ToolController.Label} has no {missing}; {op.Label} would be a program "
                 "without feeds, which no machine runs as it is meant.",
                 "Set the horizontal and vertical feed in the tool controller.",
-            )
-        if _is_ours(op) and not compat.has_motion(op.Path):
-            why = next(iter(op.Notices), "It was not computed.")
-            raise SetupError(
-                f"{op.Label} has no path. {why}", "Mend it, or unset Active to do without it."
             )
     if not any(compat.has_motion(op.Path) for op in active):
         raise SetupError(f"No active operation of {job.Label} has a path.", "Add one to the job.")

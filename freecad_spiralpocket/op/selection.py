@@ -350,7 +350,9 @@ def find_floors(model: Any) -> Iterator[Floor]:
     known: dict[int, Adjacency] = {}
     shape = model.Shape
     for number, face in enumerate(shape.Faces, 1):
-        if not _is_level(face):  # whether a window is a pocket only the machinist knows
+        normal = normal_of_plane(face)
+        # whether a window is a pocket only the machinist knows
+        if normal is None or abs(normal.z) < LEVEL_TOLERANCE:
             continue
         try:
             found = floor(model, f"Face{number}", known, shape)

@@ -17,7 +17,7 @@ from FreeCAD import Vector
 from .adjacency import Adjacency, normal_of_plane
 from .seams import SAME_HEIGHT, inside
 
-#: Smaller parts of a normal's length are none.
+#: A face is level whose normal is upright but for this of its length.
 LEVEL = 1e-6
 #: The board is so much wider than the window all around, and so thick [mm].
 MARGIN, THICKNESS = 1.0, 1.0
@@ -42,7 +42,7 @@ class Window:
 def window_of(adjacency: Adjacency, wall: Any) -> Window | None:
     """Return the window that a face of a solid is a wall of, None if it is of none."""
     number = adjacency.number(wall)
-    if number is None:
+    if number is None or _looks(wall):
         return None
     found: dict[int, Window] = {}
     seen, todo = {number}, [number]
@@ -50,11 +50,11 @@ def window_of(adjacency: Adjacency, wall: Any) -> Window | None:
         own = todo.pop()
         for other in sorted(adjacency.around(own) - seen):
             face = adjacency.faces[other]
-            normal = normal_of_plane(face)
-            if normal is None or abs(normal.z) < 1 - LEVEL:
+            looks = _looks(face)
+            if looks == 0:
                 seen.add(other)
                 todo.append(other)
-            elif normal.z < 0:
+            elif looks < 0:
                 rim = _shared_wire(face, adjacency.faces[own])
                 if rim is None:  # the part's own outline
                     return None
@@ -69,11 +69,19 @@ def with_board(solid: Any, window: Window) -> tuple[Any, Any] | None:
     board = Part.makeBox(*size, Vector(box.XMin - MARGIN, box.YMin - MARGIN, z - THICKNESS))
     whole, place = solid.fuse(board), inside(Part.Face(window.rim))
     for face in whole.Faces:
-        box, normal = face.BoundBox, normal_of_plane(face)
+        box = face.BoundBox
         is_there = box.ZLength < SAME_HEIGHT and abs(box.ZMin - z) < SAME_HEIGHT
-        if is_there and normal.z > 0 and face.isInside(place, SAME_HEIGHT, True):
+        if is_there and _looks(face) > 0 and face.isInside(place, SAME_HEIGHT, True):
             return (whole.Solids[0], face) if whole.Solids else None
     return None
+
+
+def _looks(face: Any) -> int:
+    """Return 1 for a level face that looks up, -1 for one that looks down, 0 for any other."""
+    normal = normal_of_plane(face)
+    if normal is None or abs(normal.z) < 1 - LEVEL:
+        return 0
+    return 1 if normal.z > 0 else -1
 
 
 def _shared_wire(face: Any, other: Any) -> Any:

@@ -23,6 +23,7 @@ from solid_oracle import Stock, Surface, gouges, places
 
 from freecad_spiralpocket import api
 from freecad_spiralpocket.engine.errors import SelectionError
+from freecad_spiralpocket.op import selection
 
 R, BOTTOM = 3.0, -DEPTH - 4.0
 
@@ -142,6 +143,19 @@ def test_walls_of_blind_pockets_and_of_the_part_are_none(doc):
     for place in ((0, 15), (-12, 15)):
         with pytest.raises(SelectionError, match="a wall, not a floor"):
             cut(doc, shape, walls_of(shape, *place))
+
+
+def test_a_floor_that_is_hardly_out_of_level_is_no_wall_of_a_hole_in_it(doc):
+    """As IGES files have them."""
+    shape = block(area(rectangle(40, 30, 5))).cut(Part.makeCylinder(5, 40, Vector(20, 15, -30)))
+    tilted = shape.copy()
+    tilted.rotate(Vector(20, 15, 0), Vector(0, 1, 0), math.degrees(5e-5))
+    (name,) = faces_at(shape, -DEPTH)
+    face = tilted.getElement(name)
+    assert face.BoundBox.ZLength > 1e-3
+    part = add_part(doc, tilted)
+    assert not selection.floor(part, name).is_window
+    assert api.floors(part) == [name]
 
 
 def test_holes_are_no_pockets_unless_they_are_chosen(doc):

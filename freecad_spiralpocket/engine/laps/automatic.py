@@ -146,7 +146,7 @@ def _fastest(
     laps = region.area / (WIDEST * STRETCH * rules.stepover) / motion.cut_feed
     entry_of = cache(partial(entry_seconds, request=request, motion=motion))
     entries = [entry_of(start) / laps for start, _ in starts]
-    starts = promising(starts, region, rules.stepover, entries)
+    starts = promising(starts, region, request.cutting.stepover, entries)
     for i, (start, within) in enumerate(starts):
         done = partial(tick, i / len(starts))
         entry = entry_of(start)
