@@ -161,6 +161,14 @@ def open_sides(wanted: PocketRequest) -> Notice:
     )
 
 
+def ends_higher(window: float, part: float) -> Notice:
+    """Tell that a window ends above the part's lowest place, both Z [mm]."""
+    return Notice(
+        f"The hole ends at Z{window:.4g}, the part goes down to Z{part:.4g}; no deeper is cut.",
+        "Look what lies under the hole. If it goes on there, select a wall of that.",
+    )
+
+
 def goes_on() -> Notice:
     """Tell that only a part of a floor is selected."""
     return Notice("The floor goes on beyond what is selected; that stays.", PICK_ALL)

@@ -20,9 +20,11 @@ import shapely
 from FreeCAD import Vector
 from shapely import Point, Polygon
 
+from ..engine.checks import NESTED
 from ..engine.errors import CutterDoesNotFitError
 from ..engine.levels import floors
 from ..engine.model import PocketRequest, Section
+from ..engine.shapes.region import polygons_of
 from .selection import SAME_HEIGHT, Floor
 from .slices import ABOVE
 from .walls import Walls
@@ -152,7 +154,7 @@ class _Shapes:
             How far alike sections may differ [mm].
         """
         levels = tops[1:]
-        shapes = [self.at(z) for z in levels]
+        shapes = _nested([self.at(z) for z in levels])
         mouths = [self.at(tops[0] - 2 * ABOVE), *shapes]
         for i, z in enumerate(levels):
             if z in ledges:
@@ -173,6 +175,17 @@ class _Shapes:
 
 def _has(face: Any, place: tuple[float, float], z: float) -> bool:
     return bool(face.isInside(Vector(*place, z), SAME_HEIGHT, True))
+
+
+def _nested(shapes: Sequence[Polygon]) -> list[Polygon]:
+    """Return sections, highest first, none beyond the one above: nothing gets there from above."""
+    found: list[Polygon] = []
+    for shape in shapes:
+        if found and not shapely.buffer(found[-1], NESTED / 2).covers(shape):
+            inside = polygons_of(shapely.intersection(shape, found[-1]))
+            shape = inside[0] if inside else Polygon()
+        found.append(shape)
+    return found
 
 
 def _are_alike(one: Polygon, other: Polygon, distance: float) -> bool:

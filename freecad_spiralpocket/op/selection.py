@@ -26,7 +26,7 @@ SAME_VOLUME = 1e-6
 
 _PICK_A_FLOOR = (
     "Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole "
-    "through the part."
+    "through the part that ends at one level face below."
 )
 #: Where seams part a floor.
 PICK_ALL = "Select all faces that make the floor, or refine the part."
@@ -169,11 +169,16 @@ def _window(model: Any, name: str, shape: Any, wall: Any, known: dict[Any, Any])
     """Return the floor under the window that a face is a wall of, None if it is of none."""
     part, adjacency = _solid_of(shape, wall, label(model, name), known)
     window = windows.window_of(adjacency, wall)
-    found = None if window is None else windows.with_board(part, window)
-    if found is None:
+    if window is None:
         return None
-    solid, face = found
-    return Floor(model, name, face, solid, window.z, 0, False, Adjacency(solid), part)
+    key = (part.hashCode(), window.rim.hashCode())  # the same from all of its walls
+    if key not in known:
+        found = windows.with_board(part, window)
+        known[key] = None if found is None else (*found, Adjacency(found[0]))
+    if known[key] is None:
+        return None
+    solid, face, around = known[key]
+    return Floor(model, name, face, solid, window.z, 0, False, around, part)
 
 
 def heights(base: list[tuple[Any, Any]]) -> list[float]:

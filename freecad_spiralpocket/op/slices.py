@@ -25,6 +25,8 @@ from . import geometry
 from .selection import SAME_HEIGHT
 from .triangles import SAG, is_patch, looking_down
 
+#: Where triangles nearly meet they are joined on a grid so fine [mm].
+GRID = 1e-7
 #: Sections are taken this far above the height they are for [mm].
 ABOVE = 1e-3
 #: Now and then FreeCAD leaves a piece out, but not at all of these heights, over that.
@@ -155,9 +157,23 @@ def shadow(faces: Iterable[np.ndarray], z: float) -> shapely.Geometry:
     # what ends at that height, as the side of a part below an open slot, hangs over nothing
     corners = [piece[:, :, :2] for face in faces for piece in _above(face, z + ABOVE)]
     shadows = [shapely.convex_hull(shapely.multipoints(c)) for c in corners if len(c)]
-    ground = shapely.union_all([shapely.union_all(part) for part in shadows])
+    ground = _union(np.concatenate(shadows)) if shadows else Polygon()
     # a hair, so that what is vertical has an area and is no sliver
     return ground.buffer(SAG, quad_segs=2)
+
+
+def _union(parts: np.ndarray) -> shapely.Geometry:
+    """Return the union of polygons, lines and points.
+
+    Of polygons whose edges nearly coincide, GEOS may leave one out without a word.
+    """
+    whole = shapely.union_all(parts)
+    shapely.prepare(whole)
+    middles = shapely.get_coordinates(shapely.centroid(parts))
+    solid = shapely.area(parts) > 0
+    if shapely.contains_xy(whole, middles)[solid].all():
+        return whole
+    return shapely.union_all(parts, grid_size=GRID)
 
 
 def _clipped(face: Any, bounds: tuple[float, float, float, float], z: float) -> list[Any]:

@@ -879,6 +879,10 @@
         <translation>Lineares Morphen findet keine Mitte zum Anfangen.</translation>
     </message>
     <message>
+        <source>Look what lies under the hole. If it goes on there, select a wall of that.</source>
+        <translation>Nachsehen, was unter dem Durchbruch liegt. Geht er dort weiter, eine Wand davon auswählen.</translation>
+    </message>
+    <message>
         <source>Look what lies under the stock, or raise FinalDepth.</source>
         <translation>Nachsehen, was unter dem Rohteil liegt, oder FinalDepth anheben.</translation>
     </message>
@@ -1007,8 +1011,8 @@
         <translation>Die Bodenfläche der Tasche auswählen.</translation>
     </message>
     <message>
-        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part.</source>
-        <translation>Den Boden der Tasche auswählen, eine ebene waagerechte Fläche mit Wänden ringsum, oder eine Wand eines Durchbruchs.</translation>
+        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part that ends at one level face below.</source>
+        <translation>Den Boden der Tasche auswählen, eine ebene waagerechte Fläche mit Wänden ringsum, oder eine Wand eines Durchbruchs, der unten an einer einzigen waagerechten Fläche endet.</translation>
     </message>
     <message>
         <source>Select the floor of the pocket, or turn the part over.</source>
@@ -1229,6 +1233,10 @@
     <message>
         <source>The helix's diameter limit is negative.</source>
         <translation>Die Grenze des Helixdurchmessers ist negativ.</translation>
+    </message>
+    <message>
+        <source>The hole ends at Z{0}, the part goes down to Z{1}; no deeper is cut.</source>
+        <translation>Der Durchbruch endet bei Z{0}, das Teil reicht bis Z{1} hinab; tiefer wird nicht gefräst.</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

@@ -879,6 +879,10 @@
         <translation>Transición lineal no encuentra un centro donde empezar.</translation>
     </message>
     <message>
+        <source>Look what lies under the hole. If it goes on there, select a wall of that.</source>
+        <translation>Mire qué hay debajo del hueco. Si continúa allí, seleccione una pared de esa parte.</translation>
+    </message>
+    <message>
         <source>Look what lies under the stock, or raise FinalDepth.</source>
         <translation>Mire qué hay debajo del material, o suba FinalDepth.</translation>
     </message>
@@ -1007,8 +1011,8 @@
         <translation>Seleccione la cara del fondo de la cajera.</translation>
     </message>
     <message>
-        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part.</source>
-        <translation>Seleccione el fondo de la cajera, una cara plana y horizontal con paredes alrededor, o una pared de un hueco pasante.</translation>
+        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part that ends at one level face below.</source>
+        <translation>Seleccione el fondo de la cajera, una cara plana y horizontal con paredes alrededor, o una pared de un hueco pasante que termina abajo en una sola cara horizontal.</translation>
     </message>
     <message>
         <source>Select the floor of the pocket, or turn the part over.</source>
@@ -1229,6 +1233,10 @@
     <message>
         <source>The helix's diameter limit is negative.</source>
         <translation>El límite del diámetro de la hélice es negativo.</translation>
+    </message>
+    <message>
+        <source>The hole ends at Z{0}, the part goes down to Z{1}; no deeper is cut.</source>
+        <translation>El hueco termina en Z{0}, la pieza baja hasta Z{1}; no se corta más abajo.</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

@@ -879,6 +879,10 @@
         <translation>Le Morphing linéaire ne trouve pas de centre de départ.</translation>
     </message>
     <message>
+        <source>Look what lies under the hole. If it goes on there, select a wall of that.</source>
+        <translation>Regardez ce qui se trouve sous l’ouverture. Si elle y continue, sélectionnez une de ses parois à cet endroit.</translation>
+    </message>
+    <message>
         <source>Look what lies under the stock, or raise FinalDepth.</source>
         <translation>Regardez ce qu'il y a sous le brut, ou relevez FinalDepth.</translation>
     </message>
@@ -1007,8 +1011,8 @@
         <translation>Sélectionnez la face du fond de la poche.</translation>
     </message>
     <message>
-        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part.</source>
-        <translation>Sélectionnez le fond de la poche, une face plane et horizontale entourée de parois, ou une paroi d’une ouverture qui traverse la pièce.</translation>
+        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part that ends at one level face below.</source>
+        <translation>Sélectionnez le fond de la poche, une face plane et horizontale entourée de parois, ou une paroi d’une ouverture qui se termine en bas sur une seule face horizontale.</translation>
     </message>
     <message>
         <source>Select the floor of the pocket, or turn the part over.</source>
@@ -1229,6 +1233,10 @@
     <message>
         <source>The helix's diameter limit is negative.</source>
         <translation>La limite du diamètre de l'hélice est négative.</translation>
+    </message>
+    <message>
+        <source>The hole ends at Z{0}, the part goes down to Z{1}; no deeper is cut.</source>
+        <translation>L’ouverture se termine à Z{0}, la pièce descend jusqu’à Z{1} ; rien n’est usiné plus bas.</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

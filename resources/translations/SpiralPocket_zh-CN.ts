@@ -879,6 +879,10 @@
         <translation>“线性渐变”找不到起始中心。</translation>
     </message>
     <message>
+        <source>Look what lies under the hole. If it goes on there, select a wall of that.</source>
+        <translation>请查看孔下方的情况。如果孔在那里继续，请选择那里的一个侧壁。</translation>
+    </message>
+    <message>
         <source>Look what lies under the stock, or raise FinalDepth.</source>
         <translation>请检查毛坯下方有什么，或提高 FinalDepth。</translation>
     </message>
@@ -1007,8 +1011,8 @@
         <translation>请选择型腔底面。</translation>
     </message>
     <message>
-        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part.</source>
-        <translation>请选择型腔的底面（四周有侧壁的水平平面），或通孔的一个侧壁。</translation>
+        <source>Select the floor of the pocket, a flat level face with walls around it, or a wall of a hole through the part that ends at one level face below.</source>
+        <translation>请选择型腔的底面（四周有侧壁的水平平面），或通孔的一个侧壁（该孔下端须止于同一水平面）。</translation>
     </message>
     <message>
         <source>Select the floor of the pocket, or turn the part over.</source>
@@ -1229,6 +1233,10 @@
     <message>
         <source>The helix's diameter limit is negative.</source>
         <translation>螺旋直径上限为负。</translation>
+    </message>
+    <message>
+        <source>The hole ends at Z{0}, the part goes down to Z{1}; no deeper is cut.</source>
+        <translation>该孔止于 Z{0}，而零件延伸至 Z{1}；不会切得更深。</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

@@ -30,7 +30,7 @@ from sample_parts import (
 from solid_oracle import Stock, Surface, gouges, places
 
 from freecad_spiralpocket import api
-from freecad_spiralpocket.engine.errors import SpiralPocketError
+from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, SpiralPocketError
 from freecad_spiralpocket.op import operation
 
 #: Deepest gouge that may be, into the solid's true surface [mm].
@@ -170,6 +170,28 @@ def test_vertical_walls_keep_their_path(doc, monkeypatch):
     sliced = gcode(api.add_spiral_pocket(job, base, StepDown=2.5))
     monkeypatch.setattr("freecad_spiralpocket.op.sections.fitted", lambda wanted, *_: wanted)
     assert gcode(api.add_spiral_pocket(job, base, StepDown=2.5)) == sliced
+
+
+def sheared(by, wider=0.0, radius=5.0):
+    """Return a block with a slanted hole for a pocket, wider at its floor all around."""
+    size = 30 + 2 * wider
+    low = rectangle(size, size, radius, by - wider, -wider)
+    low.translate(Vector(0, 0, -DEPTH))
+    hole = Part.makeLoft([low, rectangle(30, 30, 5)], True, True)
+    return Part.makeBox(100, 70, DEPTH + 4, Vector(-20, -20, -DEPTH - 4)).cut(hole)
+
+
+@pytest.mark.parametrize("step_down", [DEPTH, DEPTH / 2], ids=["one level", "two"])
+@pytest.mark.parametrize(("by", "wider", "radius"), [(26, 0, 5), (6, 0, 5), (0, 2, 7), (0, 0.1, 5)])
+def test_flat_walls_that_lean_over_are_kept_off_whole(doc, by, wider, radius, step_down):
+    """GEOS lost half of them, as two triangles whose edges nearly coincide."""
+    shape = sheared(by, wider, radius)
+    try:
+        op = cut(doc, shape, -DEPTH, diameter=6.0, StepDown=step_down)
+    except CutterDoesNotFitError:
+        assert by == 26  # 4 mm of it are free from above
+        return
+    assert len(gouges_of(op, shape, 0.7)) == 0
 
 
 def test_walls_leaning_over_the_floor_are_kept_clear_of(doc):

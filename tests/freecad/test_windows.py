@@ -138,6 +138,18 @@ def test_a_chamfer_at_the_lower_edge_is_kept_off(doc):
     assert any("lean over the floor" in notice for notice in op.Notices)
 
 
+def test_a_hole_that_ends_above_the_parts_lower_side_is_told(doc):
+    """A groove in its wall: the upper wall ends at the groove's ceiling."""
+    groove = area(rectangle(44, 34, 6, -2, -2)).extrude(Vector(0, 0, 2))
+    groove.translate(Vector(0, 0, -8))
+    shape = WINDOW.cut(groove)
+    faces = walls_of(shape, 0, 15)
+    (upper,) = (n for n in faces if shape.getElement(n).BoundBox.ZMin > -6.1)
+    op = cut(doc, shape, [upper], **QUICK)
+    assert op.FinalDepth.Value == pytest.approx(-6)
+    assert any("goes down to Z-10; no deeper is cut" in notice for notice in op.Notices)
+
+
 def test_walls_of_blind_pockets_and_of_the_part_are_none(doc):
     shape = block(area(rectangle(40, 30, 5)))
     for place in ((0, 15), (-12, 15)):
