@@ -141,3 +141,13 @@ def normal_of_plane(face: Any) -> Any:
         return None
     u0, u1, v0, v1 = face.ParameterRange
     return face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
+
+
+def outer_wire(face: Any) -> Any:
+    """Return the wire around a flat face.
+
+    FreeCAD 0.20 mistakes one for it that lies inside and touches it.
+    """
+    if face.countSubElements("Wire") == 1:
+        return face.OuterWire
+    return max(face.Wires, key=lambda wire: wire.BoundBox.DiagonalLength)

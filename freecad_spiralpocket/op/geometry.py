@@ -24,7 +24,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.errors import SelectionError
-from .selection import Floor, outer_wire
+from .adjacency import outer_wire
+from .selection import Floor
 
 if TYPE_CHECKING:
     from shapely import Polygon

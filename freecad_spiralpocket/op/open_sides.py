@@ -18,7 +18,8 @@ from shapely import MultiPoint, Polygon
 
 from ..engine.shapes.region import grow, polygons_of
 from . import geometry
-from .selection import Floor, outer_wire
+from .adjacency import outer_wire
+from .selection import Floor
 from .slices import standing
 
 #: The center goes so far beyond the stock, over R: down there in the air, with some room.

@@ -264,7 +264,7 @@ class Pockets:
         """Return what is to be told of one pocket, whatever comes of its plan."""
         found = remarks.depths(wanted, floor.z, self._obj)
         if floor.is_window and floor.z > floor.part.BoundBox.ZMin + selection.SAME_HEIGHT:
-            found.append(remarks.ends_higher(floor.z, floor.part.BoundBox.ZMin))
+            found.append(remarks.ends_higher(floor.z, floor.part.BoundBox.ZMin, wanted.floor))
         if floor.goes_on:
             found.append(remarks.goes_on())
         if floor.open_edges:

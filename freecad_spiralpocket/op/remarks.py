@@ -161,10 +161,11 @@ def open_sides(wanted: PocketRequest) -> Notice:
     )
 
 
-def ends_higher(window: float, part: float) -> Notice:
-    """Tell that a window ends above the part's lowest place, both Z [mm]."""
+def ends_higher(window: float, part: float, cut: float) -> Notice:
+    """Tell that a window ends above the part's lowest place, and how deep is cut, all Z [mm]."""
     return Notice(
-        f"The hole ends at Z{window:.4g}, the part goes down to Z{part:.4g}; no deeper is cut.",
+        f"The hole ends at Z{window:.4g}, the part goes down to Z{part:.4g}; the cutter goes down "
+        f"to Z{cut:.4g}.",
         "Look what lies under the hole. If it goes on there, select a wall of that.",
     )
 

@@ -23,7 +23,8 @@ from ..engine.model import PocketRequest
 from ..engine.proof.coverage import reachable_floor, uncut_floor
 from ..engine.shapes.region import polygons_of
 from ..gcode import parse_program
-from .compat import operation_property, parent_job, tool_shape
+from .compat import operation_property, tool_shape
+from .rest_watch import standing_before
 from .tools import FLAT_TOOLS
 
 #: A path that ends this much above the floor has cleared it [mm].
@@ -120,10 +121,7 @@ def _inside(request: PocketRequest) -> Polygon:
 
 def operations_before(obj: Any) -> Iterator[Any]:
     """Yield the active operations of the job that stand before this one and have a path."""
-    for operation in parent_job(obj).Operations.Group:
-        # a dressup stands for the operation in it
-        if obj.Name in (operation.Name, *(o.Name for o in operation.OutListRecursive)):
-            return
+    for operation, _ in standing_before(obj):
         path = getattr(operation, "Path", None)
         if path is not None and path.Size and operation_property(operation, "Active"):
             yield operation

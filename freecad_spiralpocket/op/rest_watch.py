@@ -8,6 +8,7 @@ straight down, through stock that is taken for cleared.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import FreeCAD
@@ -18,21 +19,22 @@ from .compat import parent_job
 _TELLING = ("Path", "Active", "Group")
 
 
-def names_before(obj: Any) -> tuple[str, ...] | None:
-    """Return the names of all operations of the job that stand before one; None if it has no job.
+def standing_before(obj: Any) -> Iterator[tuple[Any, tuple[str, ...]]]:
+    """Yield the operations of the job that stand before one, and the names of all in each.
 
-    A dressup stands for the operation in it.
+    A dressup stands for the operation in it. None where there is no job.
     """
     job = parent_job(obj)
-    if job is None:
-        return None
-    names: list[str] = []
-    for operation in job.Operations.Group:
-        own = (operation.Name, *(o.Name for o in operation.OutListRecursive))
-        if obj.Name in own:
-            break
-        names += own
-    return tuple(names)
+    for operation in job.Operations.Group if job is not None else ():
+        names = (operation.Name, *(o.Name for o in operation.OutListRecursive))
+        if obj.Name in names:
+            return
+        yield operation, names
+
+
+def names_before(obj: Any) -> tuple[str, ...]:
+    """Return the names of all in the operations of the job that stand before one."""
+    return tuple(name for _, names in standing_before(obj) for name in names)
 
 
 class RestWatch:
@@ -61,8 +63,6 @@ class RestWatch:
 
     def _matters(self, changed: Any, name: str, obj: Any) -> bool:
         before = names_before(obj)
-        if before is None:
-            return False
         if name == "Group":
             return before != obj.Proxy.before
         return changed.Name in before

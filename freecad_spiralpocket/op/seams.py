@@ -36,16 +36,19 @@ def joined(solid: Any, faces: Sequence[Any]) -> tuple[Any, Any] | None:
     """Return a solid without seams and the face of it that some faces make, None if none does."""
     whole = solid.removeSplitter()
     area, z = sum(face.Area for face in faces), faces[0].BoundBox.ZMin
-    place = inside(faces[0])
-    for face in whole.Faces:
+    face = face_at(whole, z, inside(faces[0]))
+    if face is None or abs(face.Area - area) >= SAME_AREA * area:
+        return None
+    return (whole.Solids[0], face) if whole.Solids else None
+
+
+def face_at(shape: Any, z: float, place: Any) -> Any:
+    """Return the level face of a shape at Z `z` in which a place is, None if there is none."""
+    for face in shape.Faces:
         box = face.BoundBox
-        if (
-            box.ZLength < SAME_HEIGHT
-            and abs(box.ZMin - z) < SAME_HEIGHT
-            and abs(face.Area - area) < SAME_AREA * area
-            and face.isInside(place, SAME_HEIGHT, True)
-        ):
-            return (whole.Solids[0], face) if whole.Solids else None
+        is_there = box.ZLength < SAME_HEIGHT and abs(box.ZMin - z) < SAME_HEIGHT
+        if is_there and face.isInside(place, SAME_HEIGHT, True):
+            return face
     return None
 
 

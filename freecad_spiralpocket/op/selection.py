@@ -14,7 +14,7 @@ from typing import Any
 
 from ..engine.errors import SelectionError, SetupError
 from . import seams, windows
-from .adjacency import Adjacency, normal_of_plane
+from .adjacency import Adjacency, normal_of_plane, outer_wire
 from .compat import STALE_ELEMENT_ERRORS, PathUtil
 from .seams import SAME_HEIGHT
 from .solids import solids_of
@@ -338,16 +338,6 @@ def _solid_of(shape: Any, face: Any, where: str, known: dict[Any, Any]) -> tuple
         f"The part with {where} is an open shell, not a closed solid.",
         "Close it first (Part workbench, Check Geometry and Convert to Solid).",
     )
-
-
-def outer_wire(face: Any) -> Any:
-    """Return the wire around a flat face.
-
-    FreeCAD 0.20 mistakes one for it that lies inside and touches it.
-    """
-    if face.countSubElements("Wire") == 1:
-        return face.OuterWire
-    return max(face.Wires, key=lambda wire: wire.BoundBox.DiagonalLength)
 
 
 def find_floors(model: Any) -> Iterator[Floor]:

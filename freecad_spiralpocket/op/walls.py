@@ -23,8 +23,9 @@ from shapely import Polygon
 from ..engine.shapes.points import signed_area
 from ..engine.shapes.region import polygons_of
 from . import geometry
+from .adjacency import outer_wire
 from .open_sides import OpenSides, lines_of
-from .selection import SAME_HEIGHT, Floor, outer_wire
+from .selection import SAME_HEIGHT, Floor
 from .slices import (
     ABOVE,
     cuts,

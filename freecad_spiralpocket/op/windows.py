@@ -14,8 +14,8 @@ from typing import Any
 import Part
 from FreeCAD import Vector
 
-from .adjacency import Adjacency, normal_of_plane
-from .seams import SAME_HEIGHT, inside
+from .adjacency import Adjacency, normal_of_plane, outer_wire
+from .seams import face_at, inside
 
 #: A face is level whose normal is upright but for this of its length.
 LEVEL = 1e-6
@@ -67,13 +67,9 @@ def with_board(solid: Any, window: Window) -> tuple[Any, Any] | None:
     box, z = window.rim.BoundBox, window.z
     size = (box.XLength + 2 * MARGIN, box.YLength + 2 * MARGIN, THICKNESS)
     board = Part.makeBox(*size, Vector(box.XMin - MARGIN, box.YMin - MARGIN, z - THICKNESS))
-    whole, place = solid.fuse(board), inside(Part.Face(window.rim))
-    for face in whole.Faces:
-        box = face.BoundBox
-        is_there = box.ZLength < SAME_HEIGHT and abs(box.ZMin - z) < SAME_HEIGHT
-        if is_there and _looks(face) > 0 and face.isInside(place, SAME_HEIGHT, True):
-            return (whole.Solids[0], face) if whole.Solids else None
-    return None
+    whole = solid.fuse(board)
+    face = face_at(whole, z, inside(Part.Face(window.rim)))
+    return (whole.Solids[0], face) if face is not None and whole.Solids else None
 
 
 def _looks(face: Any) -> int:
@@ -86,8 +82,7 @@ def _looks(face: Any) -> int:
 
 def _shared_wire(face: Any, other: Any) -> Any:
     """Return the wire within the outline of a face that has edges of another; None if none has."""
-    edges = {edge.hashCode() for edge in other.Edges}
-    outline = max(face.Wires, key=lambda wire: wire.BoundBox.DiagonalLength)
+    edges, outline = {edge.hashCode() for edge in other.Edges}, outer_wire(face)
     for wire in face.Wires:
         if edges & {edge.hashCode() for edge in wire.Edges}:
             return None if wire.isSame(outline) else wire

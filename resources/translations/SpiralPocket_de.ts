@@ -1235,8 +1235,8 @@
         <translation>Die Grenze des Helixdurchmessers ist negativ.</translation>
     </message>
     <message>
-        <source>The hole ends at Z{0}, the part goes down to Z{1}; no deeper is cut.</source>
-        <translation>Der Durchbruch endet bei Z{0}, das Teil reicht bis Z{1} hinab; tiefer wird nicht gefräst.</translation>
+        <source>The hole ends at Z{0}, the part goes down to Z{1}; the cutter goes down to Z{2}.</source>
+        <translation>Der Durchbruch endet bei Z{0}, das Teil reicht bis Z{1} hinab; der Fräser geht bis Z{2}.</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

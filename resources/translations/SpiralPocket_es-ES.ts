@@ -1235,8 +1235,8 @@
         <translation>El límite del diámetro de la hélice es negativo.</translation>
     </message>
     <message>
-        <source>The hole ends at Z{0}, the part goes down to Z{1}; no deeper is cut.</source>
-        <translation>El hueco termina en Z{0}, la pieza baja hasta Z{1}; no se corta más abajo.</translation>
+        <source>The hole ends at Z{0}, the part goes down to Z{1}; the cutter goes down to Z{2}.</source>
+        <translation>El hueco termina en Z{0}, la pieza baja hasta Z{1}; la fresa baja hasta Z{2}.</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

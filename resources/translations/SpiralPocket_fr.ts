@@ -1235,8 +1235,8 @@
         <translation>La limite du diamètre de l'hélice est négative.</translation>
     </message>
     <message>
-        <source>The hole ends at Z{0}, the part goes down to Z{1}; no deeper is cut.</source>
-        <translation>L’ouverture se termine à Z{0}, la pièce descend jusqu’à Z{1} ; rien n’est usiné plus bas.</translation>
+        <source>The hole ends at Z{0}, the part goes down to Z{1}; the cutter goes down to Z{2}.</source>
+        <translation>L’ouverture se termine à Z{0}, la pièce descend jusqu’à Z{1} ; la fraise descend jusqu’à Z{2}.</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

@@ -1235,8 +1235,8 @@
         <translation>螺旋直径上限为负。</translation>
     </message>
     <message>
-        <source>The hole ends at Z{0}, the part goes down to Z{1}; no deeper is cut.</source>
-        <translation>该孔止于 Z{0}，而零件延伸至 Z{1}；不会切得更深。</translation>
+        <source>The hole ends at Z{0}, the part goes down to Z{1}; the cutter goes down to Z{2}.</source>
+        <translation>该孔止于 Z{0}，而零件延伸至 Z{1}；刀具下到 Z{2}。</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

@@ -147,7 +147,7 @@ def test_a_hole_that_ends_above_the_parts_lower_side_is_told(doc):
     (upper,) = (n for n in faces if shape.getElement(n).BoundBox.ZMin > -6.1)
     op = cut(doc, shape, [upper], **QUICK)
     assert op.FinalDepth.Value == pytest.approx(-6)
-    assert any("goes down to Z-10; no deeper is cut" in notice for notice in op.Notices)
+    assert any("to Z-10; the cutter goes down to Z-6." in notice for notice in op.Notices)
 
 
 def test_walls_of_blind_pockets_and_of_the_part_are_none(doc):
