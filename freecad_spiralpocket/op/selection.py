@@ -113,7 +113,7 @@ def floor(
     model : object
     names : str or sequence of str
     known : dict, optional
-        Of solids by their hash code, and solids of shapes; is added to.
+        What was found out about shapes and solids; is added to.
     shape : object, optional
         The model's, fetched before: that of a link or a group is another one each time.
 
@@ -167,27 +167,31 @@ def floor(
 
 def _window(model: Any, name: str, shape: Any, wall: Any, known: dict[Any, Any]) -> Floor | None:
     """Return the floor under the window that a face is a wall of, None if it is of none."""
-    part, adjacency = _solid_of(shape, wall, label(model, name), known)
-    window = windows.window_of(adjacency, wall)
-    if window is None:
+    through = _windows_of(shape, wall, label(model, name), known)
+    window = through.of(wall)
+    found = None if window is None else through.floor_of(window)
+    if window is None or found is None:
         return None
-    key = (part.hashCode(), window.rim.hashCode())  # the same from all of its walls
+    solid, face, around = found
+    return Floor(model, name, face, solid, window.z, 0, False, around, through.solid)
+
+
+def _windows_of(shape: Any, wall: Any, where: str, known: dict[Any, Any]) -> windows.Windows:
+    """Return the windows of the solid that a face bounds."""
+    solid, adjacency = _solid_of(shape, wall, where, known)
+    key = "windows", solid.hashCode()
     if key not in known:
-        found = windows.with_board(part, window)
-        known[key] = None if found is None else (*found, Adjacency(found[0]))
-    if known[key] is None:
-        return None
-    solid, face, around = known[key]
-    return Floor(model, name, face, solid, window.z, 0, False, around, part)
+        known[key] = windows.Windows(solid, adjacency)
+    return known[key]
 
 
-def heights(base: list[tuple[Any, Any]]) -> list[float]:
+def heights(base: list[tuple[Any, Any]], known: dict[Any, Any] | None = None) -> list[float]:
     """Return the heights of the level faces in FreeCAD's list `base` [mm], and of windows.
 
-    Without the rest.
+    Without the rest. `known` is as for `floor`.
     """
     result: list[float] = []
-    known: dict[Any, Any] = {}
+    known = {} if known is None else known
     for model, names in base or []:
         for name in [names] if isinstance(names, str) else names:
             try:
@@ -200,10 +204,9 @@ def heights(base: list[tuple[Any, Any]]) -> list[float]:
             if face.ShapeType != "Face":
                 continue
             try:
-                _, adjacency = _solid_of(model.Shape, face, name, known)
+                window = _windows_of(model.Shape, face, name, known).of(face)
             except SelectionError:
                 continue
-            window = windows.window_of(adjacency, face)
             result += [] if window is None else [window.z]
     return result
 

@@ -19,7 +19,7 @@ from .seams import face_at, inside
 
 #: A face is level whose normal is upright but for this of its length.
 LEVEL = 1e-6
-#: The board is so much wider than the window all around, and so thick [mm].
+#: The board is so much wider than the face around the window, and so thick [mm].
 MARGIN, THICKNESS = 1.0, 1.0
 
 
@@ -33,43 +33,87 @@ class Window:
         Height of its lower end [mm].
     rim : Part.Wire
         Its edge there.
+    under : int
+        Number of the level face around it there, which looks down.
     """
 
     z: float
     rim: Any
+    under: int
 
 
-def window_of(adjacency: Adjacency, wall: Any) -> Window | None:
-    """Return the window that a face of a solid is a wall of, None if it is of none."""
-    number = adjacency.number(wall)
-    if number is None or _looks(wall):
-        return None
-    found: dict[int, Window] = {}
-    seen, todo = {number}, [number]
-    while todo:
-        own = todo.pop()
-        for other in sorted(adjacency.around(own) - seen):
-            face = adjacency.faces[other]
-            looks = _looks(face)
-            if looks == 0:
-                seen.add(other)
-                todo.append(other)
-            elif looks < 0:
-                rim = _shared_wire(face, adjacency.faces[own])
-                if rim is None:  # the part's own outline
-                    return None
-                found[rim.hashCode()] = Window(face.BoundBox.ZMin, rim)
-    return next(iter(found.values())) if len(found) == 1 else None
+class Windows:
+    """The windows of a solid, each looked for once.
 
+    All that end at one face have one board under them: with dozens of holes a boolean operation for
+    each takes longer than all else.
 
-def with_board(solid: Any, window: Window) -> tuple[Any, Any] | None:
-    """Return a solid with a board under a window, and the floor that it makes; None if it fails."""
-    box, z = window.rim.BoundBox, window.z
-    size = (box.XLength + 2 * MARGIN, box.YLength + 2 * MARGIN, THICKNESS)
-    board = Part.makeBox(*size, Vector(box.XMin - MARGIN, box.YMin - MARGIN, z - THICKNESS))
-    whole = solid.fuse(board)
-    face = face_at(whole, z, inside(Part.Face(window.rim)))
-    return (whole.Solids[0], face) if face is not None and whole.Solids else None
+    Parameters
+    ----------
+    solid : Part.Solid
+    adjacency : Adjacency
+        Of the solid.
+    """
+
+    def __init__(self, solid: Any, adjacency: Adjacency) -> None:
+        self.solid, self._adjacency = solid, adjacency
+        self._found: dict[int, Window | None] = {}
+        self._boarded: dict[int, tuple[Any, Adjacency] | None] = {}
+        self._floors: dict[int, Any] = {}
+
+    def of(self, wall: Any) -> Window | None:
+        """Return the window that a face of the solid is a wall of, None if it is of none."""
+        number = self._adjacency.number(wall)
+        if number is None or _looks(wall):
+            return None
+        if number not in self._found:
+            walls, window = self._followed(number)
+            self._found |= dict.fromkeys(walls, window)
+        return self._found[number]
+
+    def floor_of(self, window: Window) -> tuple[Any, Any, Adjacency] | None:
+        """Return the solid with a board under a window, the floor on that, and the adjacency.
+
+        None if it fails.
+        """
+        if window.under not in self._boarded:
+            self._boarded[window.under] = self._with_board(window)
+        boarded, rim = self._boarded[window.under], window.rim.hashCode()
+        if boarded is None:
+            return None
+        whole, adjacency = boarded
+        if rim not in self._floors:
+            self._floors[rim] = face_at(whole, window.z, inside(Part.Face(window.rim)))
+        face = self._floors[rim]
+        return None if face is None else (whole, face, adjacency)
+
+    def _followed(self, wall: int) -> tuple[set[int], Window | None]:
+        """Return the walls that belong together with one, and the window that they make."""
+        adjacency = self._adjacency
+        found: dict[int, Window] = {}
+        seen, todo = {wall}, [wall]
+        while todo:
+            own = todo.pop()
+            for other in sorted(adjacency.around(own) - seen):
+                face = adjacency.faces[other]
+                looks = _looks(face)
+                if looks == 0:
+                    seen.add(other)
+                    todo.append(other)
+                elif looks < 0:
+                    rim = _shared_wire(face, adjacency.faces[own])
+                    if rim is None:  # the part's own outline
+                        return seen, None
+                    found[rim.hashCode()] = Window(face.BoundBox.ZMin, rim, other)
+        return seen, next(iter(found.values())) if len(found) == 1 else None
+
+    def _with_board(self, window: Window) -> tuple[Any, Adjacency] | None:
+        """Return the solid with a board under the face around a window, None if it fails."""
+        box, z = self._adjacency.faces[window.under].BoundBox, window.z
+        size = (box.XLength + 2 * MARGIN, box.YLength + 2 * MARGIN, THICKNESS)
+        board = Part.makeBox(*size, Vector(box.XMin - MARGIN, box.YMin - MARGIN, z - THICKNESS))
+        solids = self.solid.fuse(board).Solids
+        return (solids[0], Adjacency(solids[0])) if solids else None
 
 
 def _looks(face: Any) -> int:

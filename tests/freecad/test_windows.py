@@ -172,3 +172,13 @@ def test_a_floor_that_is_hardly_out_of_level_is_no_wall_of_a_hole_in_it(doc):
 
 def test_holes_are_no_pockets_unless_they_are_chosen(doc):
     assert api.floors(add_part(doc, WINDOW)) == []
+
+
+def test_windows_that_end_at_different_heights_go_together(doc):
+    shape = plate(area(rectangle(30, 20, 5)), area(rectangle(24, 18, 4, 50, 0)))
+    step = Part.makeBox(60, 60, 2.0, Vector(40, -20, BOTTOM))
+    shape = shape.cut(step)
+    names = [walls_of(shape, 0, 10)[0], walls_of(shape, 62, 0)[0], walls_of(shape, 62, 18)[0]]
+    op = cut(doc, shape, names, **QUICK)
+    assert [plan.request.floor for plan in op.Proxy.plans] == pytest.approx([BOTTOM, BOTTOM + 2.0])
+    assert len(gouges(Surface.of(shape), places(motion(op), 1.0), R, 0.01)) == 0
