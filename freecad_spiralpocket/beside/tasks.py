@@ -43,6 +43,13 @@ class Drawn:
     trace: Trace
     areas: Areas
 
+    @classmethod
+    def of(cls, plan: Plan) -> Drawn:
+        """Return a plan, drawn."""
+        from ..trace import areas_of, trace_of
+
+        return cls(plan, trace_of(plan), areas_of(plan))
+
 
 class Tasks:
     """All tasks, by name, and what they keep from one call to the next."""
@@ -109,20 +116,16 @@ class Tasks:
     def plan(self, request: PocketRequest, progress: Progress) -> Drawn:
         """Return the proved plan, drawn."""
         from ..engine.planner import plan
-        from ..trace import areas_of, trace_of
         from .crew import lay_together
 
         spare = max(0, min(SPARE, cores() - 2))  # this one and the window have one each
-        made = plan(request, progress, partial(lay_together, helpers=spare))
-        return Drawn(made, trace_of(made), areas_of(made))
+        return Drawn.of(plan(request, progress, partial(lay_together, helpers=spare)))
 
     def adaptive(self, request: PocketRequest, _: Progress) -> Drawn:
         """Return what FreeCAD's own Adaptive makes of a request, drawn."""
         from ..adaptive import plan_adaptive
-        from ..trace import areas_of, trace_of
 
-        made = plan_adaptive(request)
-        return Drawn(made, trace_of(made), areas_of(made))
+        return Drawn.of(plan_adaptive(request))
 
 
 def newest_source() -> float:

@@ -2,7 +2,8 @@
 """All pockets of one operation: each is planned on its own and fails on its own.
 
 A plan is taken over from the last recompute where its request is the same, so
-that adding a tenth face to nine plans one pocket, and changing the coolant none.
+that adding a tenth face to nine plans one pocket, and changing the coolant none. Pockets that
+are copies of each other have the same path (copies.py).
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
 from ..beside.crew import plan_together
+from ..engine import copies
 from ..engine.errors import SpiralPocketError, named
 from ..engine.model import Notice, Plan, PocketRequest, Progress
 from . import commands, open_sides, remarks, request, rest, seams, sections, selection, walls
@@ -58,16 +60,17 @@ class Pockets:
     ) -> None:
         self._obj = obj
         self._known = {} if known is None else known
-        self._earlier = earlier
+        firsts = copies.originals([plan.request for plan in earlier])
+        self._earlier = [earlier[i] for i in dict.fromkeys(firsts)]
         self._notices: list[Notice] = []
         self._failures: list[tuple[str, SpiralPocketError]] = []
-        self._deepest = min(selection.heights(obj.Base), default=0.0)
         self._overhung: dict[int, float] = {}
         self._shared: dict[int, bool] = {}
         self.plans: list[Plan] = []
         shapes = (getattr(model, "Shape", None) for model in parent_job(obj).Model.Group)
         self._shapes = [shape for shape in shapes if shape is not None and not shape.isNull()]
         solids = self._known.setdefault("adjacency", {})
+        self._deepest = min(selection.heights(obj.Base, solids), default=0.0)
         self._solids = [s for shape in self._shapes for s in solids_of(shape, solids)]
         groups = seams.groups(selection.selected(obj.Base))
         found = [floor for group in groups for floor in self._floors_of(*group)]
@@ -97,16 +100,27 @@ class Pockets:
             If `progress` says so.
         """
         found = self.requests()
-        outcomes = [self._taken_over(r) if isinstance(r, PocketRequest) else r for _, r in found]
-        missing = [i for i, outcome in enumerate(outcomes) if outcome is None]
-        planned = (planner or plan_together)([found[i][1] for i in missing], progress)
-        for i, outcome in zip(missing, planned, strict=True):
-            outcomes[i] = outcome
-        for (floor, _), outcome, label in zip(found, outcomes, self.labels, strict=True):
+        wanted = [r for _, r in found if isinstance(r, PocketRequest)]
+        outcomes = iter(self._outcomes(wanted, progress, planner or plan_together))
+        for (floor, sound), label in zip(found, self.labels, strict=True):
+            outcome = next(outcomes) if isinstance(sound, PocketRequest) else sound
             if isinstance(outcome, SpiralPocketError):
                 self._failures.append((label, outcome))
             else:
                 self._take(floor, outcome)
+
+    def _outcomes(
+        self, wanted: Sequence[PocketRequest], progress: Progress | None, planner: Planner
+    ) -> list[Plan | SpiralPocketError]:
+        """Return what comes of each request. Of copies the first is planned."""
+        firsts = copies.originals(wanted)
+        known: dict[int, Any] = {i: self._taken_over(wanted[i]) for i in dict.fromkeys(firsts)}
+        missing = [i for i, plan in known.items() if plan is None]
+        known |= zip(missing, planner([wanted[i] for i in missing], progress), strict=True)
+        return [
+            known[first] if first == i else copies.moved(known[first], wanted[first], wanted[i])
+            for i, first in enumerate(firsts)
+        ]
 
     @property
     def errors(self) -> list[SpiralPocketError]:
@@ -251,7 +265,10 @@ class Pockets:
         return self._known[key]
 
     def _taken_over(self, wanted: PocketRequest) -> Plan | None:
-        """Return an earlier plan for the same request, or None."""
+        """Return an earlier plan for the same request, or None.
+
+        What was a copy's is not: the path must be the same whatever was selected before.
+        """
         return next((plan for plan in self._earlier if plan.request == wanted), None)
 
     def _take(self, floor: selection.Floor, plan: Plan) -> None:

@@ -317,7 +317,7 @@ def test_progress_covers_all_pockets_and_is_opened_once(doc, monkeypatch):
         yield lambda done, stage: seen.append((done, stage)) and False
 
     monkeypatch.setattr(operation.ObjectSpiralPocket, "progress_factory", factory)
-    part = add_part(doc, block(area(circle(8)), area(circle(8, 30, 0))))
+    part = add_part(doc, block(area(circle(8)), area(circle(9, 30, 0))))
     job = add_job(doc, part)
     made = api.add_spiral_pocket(job, [(part, faces_at(part.Shape, -DEPTH))], **QUICK)
     fractions = [done for done, _ in seen]

@@ -5,7 +5,10 @@ import gc
 import time
 
 import FreeCADGui
+import Part
 import pytest
+from conftest import add_job, floors
+from FreeCAD import Vector
 from pivy import coin
 from snapshot import differences, snapshot
 from window import (
@@ -223,3 +226,25 @@ def test_tool_that_does_not_fit_is_said(job, opened):
     settle()
     assert "80 mm" in preview().box.status.text()
     press(CANCEL)
+
+
+def test_copies_are_proved_once_and_drawn_each(doc):
+    solid = Part.makeBox(90, 50, 12, Vector(-5, -5, -12))
+    for x in (0, 40):
+        solid = solid.cut(Part.makeBox(34, 28, 6, Vector(x, 4, -6)))
+    job = add_job(doc, solid, diameter=6.0)
+    part = doc.getObject("Part")
+    lanes._proved.clear()
+    select(*((part, name) for name in floors(part, -6.0)))
+    press_toolbar_button()
+    settle()
+    assert len(lanes._proved) == 1
+    assert [type(i) for i in items()] == [PathItem, PathItem]
+    one, other = outlook().plans
+    apart = other.toolpath.points - one.toolpath.points
+    assert abs(abs(apart[:, 0]) - 40).max() < 1e-6 and abs(apart[:, 1:]).max() < 1e-6
+    press(OK)
+    (made,) = job.Operations.Group
+    assert len(lanes._proved) == 1
+    for plan, seen in zip(made.Proxy.plans, (one, other), strict=True):
+        assert abs(plan.toolpath.points - seen.toolpath.points).max() == 0

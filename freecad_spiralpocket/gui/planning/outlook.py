@@ -11,7 +11,7 @@ Preview, result, plots and comparison of one panel share one outlook and listen 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide import QtCore
@@ -186,13 +186,14 @@ class Outlook:
             found, self.notices, labels = [error], [], [""]
         pairs = list(zip(labels, found, strict=True))
         self.problems = [(label, f) for label, f in pairs if isinstance(f, SpiralPocketError)]
-        old = {p.request: p for p in self.pockets}
+        old = {(p.request, p.original): p for p in self.pockets}
         self.pockets = []
-        for label, wanted in pairs:
-            if isinstance(wanted, PocketRequest):
-                pocket = old.pop(wanted, None) or Pocket(wanted, self._tell_soon)
-                pocket.label = label
-                self.pockets.append(pocket)
+        sound = [(label, f) for label, f in pairs if isinstance(f, PocketRequest)]
+        for (label, wanted), original in zip(sound, _originals(sound), strict=True):
+            pocket = old.pop((wanted, original), None)
+            pocket = pocket or Pocket(wanted, original, self._tell_soon)
+            pocket.label = label
+            self.pockets.append(pocket)
         for pocket in old.values():
             pocket.close()
         for pocket in self.pockets:
@@ -210,6 +211,16 @@ class Outlook:
         for pocket in sorted(self.pockets, key=lambda p: p.request.pocket.area):
             pocket.prove()
         self.tell()
+
+
+def _originals(found: Sequence[tuple[str, PocketRequest]]) -> list[PocketRequest]:
+    """Return for each labelled request that of the first pocket which it is a copy of."""
+    if len(found) < 2:
+        return [wanted for _, wanted in found]
+    from ...engine import copies  # needs shapely
+
+    wanted = [request for _, request in found]
+    return [wanted[i] for i in copies.originals(wanted)]
 
 
 def was_stopped(obj: Any) -> bool:

@@ -23,7 +23,8 @@ class Pocket:
 
     Attributes
     ----------
-    request : PocketRequest
+    request, original : PocketRequest
+        Its own, and that of the first pocket that it is a copy of, or its own.
     label : str
         What the user calls its floor.
     draft : Draft or None
@@ -35,8 +36,10 @@ class Pocket:
         Why there is none.
     """
 
-    def __init__(self, request: PocketRequest, tell: Callable[[], None]) -> None:
-        self.request = request
+    def __init__(
+        self, request: PocketRequest, original: PocketRequest, tell: Callable[[], None]
+    ) -> None:
+        self.request, self.original = request, original
         self.label = ""
         self.draft: Draft | None = None
         self.is_drafted = False
@@ -67,7 +70,7 @@ class Pocket:
         if self.is_settled or any(job.task == "plan" for _, job in self._jobs):
             return
         if not self._take_known():
-            self._start(lanes.proofs, lanes.prove(self.request))
+            self._start(lanes.proofs, lanes.prove(self.original))
 
     def close(self) -> None:
         """Give up what is under way."""
@@ -82,12 +85,22 @@ class Pocket:
         job.listeners.append(self._hear)
 
     def _take_known(self) -> bool:
-        outcome = lanes.known(self.request)
+        outcome = lanes.known(self.original)
+        if outcome is not None and self.original is not self.request:
+            outcome = self._moved(outcome)
         if isinstance(outcome, SpiralPocketError):
             self.error = outcome
         elif outcome is not None:
             self.drawn = outcome
         return outcome is not None
+
+    def _moved(self, outcome: Drawn | SpiralPocketError) -> Drawn | SpiralPocketError:
+        """Return what came of the original as its own."""
+        from ...engine import copies  # where shapely is missing the window opens all the same
+
+        plan = outcome.plan if isinstance(outcome, Drawn) else outcome
+        own = copies.moved(plan, self.original, self.request)
+        return own if isinstance(own, SpiralPocketError) else Drawn.of(own)
 
     def _hear(self, job: Job) -> None:
         if job.crash:
