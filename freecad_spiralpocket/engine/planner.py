@@ -90,14 +90,13 @@ def plan(
     prove_cuts = partial(
         _proved, request=request, missed=shapely.union_all(missed), progress=progress
     )
-    other: dict[int, PocketRequest] = {}
-    again = partial(_planned_again, used=other, progress=progress)
+    again = partial(_planned_again, progress=progress)
     first = prove_cuts(cuts)
     proved = repaired(first, request, prove_cuts, again)
     toolpath, report = proved.toolpath, proved.report
     _refuse_bad(proved, request)
     report_progress(progress, 1.0, "Done")
-    changed = _change_notices(proved.cuts, other, first, request) or _width_notices(request)
+    changed = _change_notices(proved.cuts, first, request) or _width_notices(request)
     told = (*notices, *uncut, *changed, *_start_notices(toolpath, request), *report.notices)
     report = replace(report, notices=told)
     return Plan(asked, toolpath, report, _curves(proved.cuts, request))
@@ -197,40 +196,29 @@ def _proved(
 
 
 def _planned_again(
-    region: Polygon,
-    request: PocketRequest,
-    used: dict[int, PocketRequest],
-    progress: Progress | None,
+    region: Polygon, request: PocketRequest, progress: Progress | None
 ) -> FloorPath | None:
-    """Return the path of one region by other settings, None if these cannot cut it.
-
-    Which they are is noted in `used`, by the identity of the way down, which every repair keeps.
-    """
+    """Return the path of one region by other settings, None if these cannot cut it."""
 
     def tick(done: float) -> None:
         report_progress(progress, 0.8 + 0.1 * done, "Repairing the path")
 
     path = floor_path(region, request, tick)
-    if not isinstance(path, FloorPath):
-        return None
-    used[id(path.entry)] = request
-    return path
+    return path if isinstance(path, FloorPath) else None
 
 
-def _change_notices(
-    cuts: Sequence[Cut], used: dict[int, PocketRequest], first: Proved, request: PocketRequest
-) -> list[Notice]:
+def _change_notices(cuts: Sequence[Cut], first: Proved, request: PocketRequest) -> list[Notice]:
     """Return what is to be told of regions that are cut by other settings than those asked for.
 
     `first` is what came of those.
     """
-    told: dict[int, Notice] = {}
+    told: dict[FloorPath, Notice] = {}
     gouge, hit, left = badness(first, request)
     why = "the path asked for failed its proof"
     if not gouge and not hit:
         why = f"the path asked for would leave {told_area(left)} mm2 standing"
     for cut in cuts:
-        other = used.get(id(cut.path.entry))
+        other = cut.settings
         if other is None:
             continue
         place = cut.room.region.representative_point()
@@ -247,7 +235,7 @@ def _change_notices(
                 f"{request.strategy.value}: {why}."
             )
             hint = "Choose that strategy, or another step-over."
-        told[id(cut.path.entry)] = Notice(message, hint, (float(place.x), float(place.y)))
+        told[cut.path] = Notice(message, hint, (float(place.x), float(place.y)))
     return list(told.values())
 
 
@@ -327,11 +315,11 @@ def _cuts(
 def _curves(cuts: Sequence[Cut], request: PocketRequest) -> tuple[SplineCurve, ...]:
     """Return the exact curve of each path, at the lowest level that it cuts."""
     side = -1 if request.cutting.cut_mode is CutMode.CONVENTIONAL else 1
-    curves = {}
+    curves: dict[FloorPath, SplineCurve] = {}
     for cut in cuts:
         curve = cut.path.curve
         if curve is not None:
             points = curve.control_points * (side, 1)
             height = cut.room.level.bottom
-            curves[id(cut.path)] = replace(curve, control_points=points, height=height)
+            curves[cut.path] = replace(curve, control_points=points, height=height)
     return tuple(curves.values())

@@ -26,10 +26,19 @@ ARC_SHARE = 0.4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cut:
-    """One room and the path that clears it."""
+    """One room and the path that clears it.
+
+    Attributes
+    ----------
+    room : Room
+    path : FloorPath
+    settings : PocketRequest or None
+        By which the path was planned, if not as asked for.
+    """
 
     room: Room
     path: FloorPath
+    settings: PocketRequest | None = None
 
 
 def render(cuts: Sequence[Cut], request: PocketRequest) -> tuple[Toolpath, NDArray[np.int64]]:

@@ -25,7 +25,7 @@ from .floor import FloorPath, Pass
 from .growth.front_rules import MEETING
 from .links.passes import with_leads
 from .model import PocketRequest, Report, Strategy
-from .proof.findings import TOLD_UNCUT, TOUCH
+from .proof.findings import TOLD_UNCUT, TOUCH, gouge_allowed
 from .rendering import Cut
 from .toolpath import Role, Toolpath
 
@@ -40,8 +40,6 @@ SAME = 0.05
 #: Links that touch stock over no more than this each, in the mean, become cuts over so much at both
 #: ends, over R: they begin and end at its very edge.
 LEAD = 0.5
-#: A gouge below the tolerance and this is none [mm], nor one below it and this share of it.
-GOUGE_SLACK, GOUGE_SHARE = 0.005, 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -112,8 +110,7 @@ def badness(proved: Proved, request: PocketRequest) -> tuple[float, float, float
     Each is 0 where it is good enough; the first that differs decides between two paths.
     """
     report = proved.report
-    slack = min(GOUGE_SLACK, GOUGE_SHARE * request.tolerance)
-    gouge = report.gouge - request.tolerance - slack
+    gouge = report.gouge - gouge_allowed(request)
     hit = max(report.rapid_hit, 0.0) + max(report.link_hit, 0.0)
     struck = report.rapid_hit > TOUCH or report.link_hit > TOUCH
     left = _left(report, request) if proved.complete else 0.0
@@ -141,8 +138,8 @@ class _Repair:
 
     def __init__(self, request: PocketRequest, plan_again: Planner) -> None:
         self._request, self._plan_again = request, plan_again
-        self._led: dict[int, Pass] = {}
-        self._lifted: dict[int, Pass] = {}
+        self._led: set[Pass] = set()
+        self._lifted: set[Pass] = set()
         self._settings: dict[bytes, list[PocketRequest]] = {}
 
     def relinked(self, proved: Proved) -> list[Cut] | None:
@@ -157,29 +154,26 @@ class _Repair:
     def _relinked(
         self,
         proved: Proved,
-        done: dict[int, Pass],
+        done: set[Pass],
         change: Callable[[FloorPath, set[int]], FloorPath],
     ) -> list[Cut] | None:
         """Return the cuts with other links where these run through stock; None without any new.
 
-        `done` holds the links that have been changed so, by their identity, and what became of
-        them.
+        `done` holds the links that have been changed so, and what became of them.
         """
-        found: dict[int, set[int]] = {}
+        found: dict[FloorPath, set[int]] = {}
         for number, part in proved.hits:
             path = proved.cuts[number].path
-            if _is_link(path, part) and id(path.passes[part]) not in done:
-                found.setdefault(id(path), set()).add(part)
+            if _is_link(path, part) and path.passes[part] not in done:
+                found.setdefault(path, set()).add(part)
         if not found:
             return None
-        paths = {id(cut.path): cut.path for cut in proved.cuts}
-        changed = {key: change(paths[key], parts) for key, parts in found.items()}
-        for key, parts in found.items():
-            before = {id(p) for p in paths[key].passes}
-            new = (p for p in changed[key].passes if id(p) not in before)
-            links = [*(paths[key].passes[i] for i in parts), *new]
-            done.update({id(p): p for p in links if isinstance(p, Pass) and p.role is Role.LINK})
-        return [replace(cut, path=changed.get(id(cut.path), cut.path)) for cut in proved.cuts]
+        changed = {path: change(path, parts) for path, parts in found.items()}
+        for path, parts in found.items():
+            new = set(changed[path].passes) - set(path.passes)
+            links = [*(path.passes[i] for i in parts), *new]
+            done.update(p for p in links if isinstance(p, Pass) and p.role is Role.LINK)
+        return [replace(cut, path=changed.get(cut.path, cut.path)) for cut in proved.cuts]
 
     def leave_stepovers(self) -> None:
         """Plan no room again by a smaller step-over that has been so already."""
@@ -188,17 +182,21 @@ class _Repair:
 
     def planned_again(self, proved: Proved) -> list[Cut] | None:
         """Return the cuts with new paths where something is wrong; None without any."""
-        new: dict[bytes, FloorPath] = {}
+        new: dict[bytes, tuple[FloorPath, PocketRequest]] = {}
         for cut in _sick(proved, self._request):
             key = cut.room.region.wkb
             settings = self._settings.setdefault(key, other_settings(self._request))
             while key not in new and settings:
-                path = self._plan_again(cut.room.region, settings.pop(0))
+                other = settings.pop(0)
+                path = self._plan_again(cut.room.region, other)
                 if path is not None:
-                    new[key] = path
+                    new[key] = path, other
         if not new:
             return None
-        return [replace(c, path=new.get(c.room.region.wkb, c.path)) for c in proved.cuts]
+        return [
+            Cut(cut.room, *new.get(cut.room.region.wkb, (cut.path, cut.settings)))
+            for cut in proved.cuts
+        ]
 
 
 def with_lifts(path: FloorPath, parts: Iterable[int]) -> FloorPath:

@@ -9,6 +9,7 @@ from drawn import FEED, FLOOR, R, lines, started
 from shapely import Polygon, box
 from shapes import FEEDS
 
+from freecad_spiralpocket.engine import repair
 from freecad_spiralpocket.engine.machine import MIDDLING, Machine
 from freecad_spiralpocket.engine.model import Cutting, Heights, PocketRequest, Report
 from freecad_spiralpocket.engine.motion.timing import time_of
@@ -131,6 +132,27 @@ def test_gouge_is_told():
     report = proved(lines(started(20, 20), (37.2, 20)).build())
     assert report.gouge == pytest.approx(0.2)
     assert "cuts 0.200 mm into the wall" in said(report)
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "x", "told"),
+    [
+        (0.01, 37.012, "Lower Tolerance"),
+        (0.01, 37.016, "Do not run"),
+        (0.001, 37.002, "Do not run"),
+        (0.02, 37.012, None),
+    ],
+)
+def test_a_gouge_beyond_the_tolerance_is_a_reason_not_to_run_if_such_a_path_is_refused(
+    tolerance, x, told
+):
+    wanted = replace(request(SQUARE), tolerance=tolerance)
+    path = lines(started(20, 20), (x, 20)).build()
+    text = said(prove(wanted, path))
+    assert ("into the wall" in text) == (told is not None)
+    assert told is None or told in text
+    refused = repair.badness(repair.Proved((), path, prove(wanted, path), frozenset()), wanted)[0]
+    assert (refused > 0) == (told == "Do not run")
 
 
 def test_stock_to_leave_moves_the_wall():

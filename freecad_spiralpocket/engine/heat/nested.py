@@ -122,15 +122,15 @@ def path_through(
         tick(0.6 + 0.2 * done / len(chains))
         asked = None if walkers else request.start_point
         walkers.append(_Walker(chain, move, region, request, asked))
-    number = {id(node): i for i, node in enumerate(nodes)}
-    home = {id(node): r for r, chain in enumerate(chains) for node in chain}
+    number = {node: i for i, node in enumerate(nodes)}
+    home = {node: r for r, chain in enumerate(chains) for node in chain}
     runs = [
         Run(
-            tuple(number[id(node)] for node in chain),
+            tuple(number[node] for node in chain),
             tuple(partial(walker.walk, way) for way in range(len(walker.starts))),
             walker.starts,
             walker.headings,
-            frozenset({home[id(b)] for node in chain for b in node.before} - {r}),
+            frozenset({home[b] for node in chain for b in node.before} - {r}),
             is_late=True,  # it begins on a ring that is cut, and its last lap runs on
         )
         for r, (chain, walker) in enumerate(zip(chains, walkers, strict=True))
@@ -154,22 +154,22 @@ def _inner_first(lap: Lap) -> list[Lap]:
 
 def _nodes(laps: list[Lap], finishing: bool) -> list[_Node]:
     """Return the rings of all laps, laps inner first, each with what it leans on."""
-    of_lap: dict[int, list[_Node]] = {}
+    of_lap: dict[Lap, list[_Node]] = {}
     for i, lap in enumerate(laps):
         rings = (lap.region.exterior, *lap.region.interiors)
         wall = finishing and lap is laps[-1]
-        of_lap[id(lap)] = [
+        of_lap[lap] = [
             _Node(
                 Ring.of(np.asarray(r.coords)), lap.level, i, k == 0, wall, None if k else lap.entry
             )
             for k, r in enumerate(rings)
         ]
         if lap.entry is not None:  # the entry goes round the outer ring
-            for inner in of_lap[id(lap)][1:]:
-                inner.before = of_lap[id(lap)][:1]
+            for inner in of_lap[lap][1:]:
+                inner.before = of_lap[lap][:1]
     for lap in laps:
-        _lean([of_lap[id(inner)] for inner in lap.inner], of_lap[id(lap)])
-    return [node for lap in laps for node in of_lap[id(lap)]]
+        _lean([of_lap[inner] for inner in lap.inner], of_lap[lap])
+    return [node for lap in laps for node in of_lap[lap]]
 
 
 def _lean(inner: list[list[_Node]], outer: list[_Node]) -> None:
@@ -194,13 +194,13 @@ def _lean(inner: list[list[_Node]], outer: list[_Node]) -> None:
 def _chains(nodes: list[_Node]) -> list[list[_Node]]:
     """Return the rings that follow each other one to one."""
     chains: list[list[_Node]] = []
-    of: dict[int, list[_Node]] = {}
+    of: dict[_Node | None, list[_Node]] = {}
     for node in nodes:
-        chain = of.get(id(node.follows), [])
+        chain = of.get(node.follows, [])
         if not chain:
             chains.append(chain)
         chain.append(node)
-        of[id(node)] = chain
+        of[node] = chain
     return chains
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from ..contact.air import are_in_stock
@@ -81,14 +82,24 @@ def plunges(
     stock : shapely.Polygon, optional
         Where it stands before the first move; by default everywhere.
     """
-    down = chosen & (pieces.lengths == 0) & (pieces.bottoms[:, 1] < pieces.bottoms[:, 0])
+    down = np.flatnonzero(
+        chosen & (pieces.lengths == 0) & (pieces.bottoms[:, 1] < pieces.bottoms[:, 0])
+    )
+    if len(down) == 0:
+        return Hit(0.0, None)
     disc = disc_points(cutter_radius - slack)
+    fed = np.flatnonzero(~pieces.rapid)
+    tree = shapely.STRtree(shapely.box(*pieces.bounds[fed].T))
     length, place, moves = 0.0, None, set()
-    for i in np.flatnonzero(down):
-        standing = disc[are_in_stock(disc + pieces.ends[i], stock)]
-        if not _is_cleared(pieces, int(i), standing, cutter_radius):
-            length += float(pieces.bottoms[i, 0] - pieces.bottoms[i, 1])
-            place = place or (float(pieces.ends[i, 0]), float(pieces.ends[i, 1]))
+    for i in down:
+        end, floor = pieces.ends[i], pieces.bottoms[i, 1]
+        standing = disc[are_in_stock(disc + end, stock)] + end
+        low, high = end - 2 * cutter_radius, end + 2 * cutter_radius
+        near = np.sort(fed[tree.query(shapely.box(*low, *high))])
+        before = near[(near < i) & (pieces.heights[near] <= floor + SAME_HEIGHT)]
+        if not _are_cleared(standing, pieces, before, cutter_radius):
+            length += float(pieces.bottoms[i, 0] - floor)
+            place = place or (float(end[0]), float(end[1]))
             moves.add(int(pieces.moves[i]))
     return Hit(length, place, frozenset(moves))
 
@@ -100,16 +111,8 @@ def disc_points(radius: float) -> Floats:
     return np.concatenate([radius * share * ring for share in RINGS])
 
 
-def _is_cleared(pieces: Pieces, i: int, disc: Floats, r: float) -> bool:
-    """Return whether motion before piece `i` has cleared these points of the disc at its end."""
-    floor = pieces.bottoms[i, 1]
-    index = np.flatnonzero(~pieces.rapid[:i] & (pieces.heights[:i] <= floor + SAME_HEIGHT))
-    end = pieces.ends[i]
-    box = pieces.bounds[index]
-    near = (box[:, :2] <= end + 2 * r).all(axis=1)
-    near &= (box[:, 2:] >= end - 2 * r).all(axis=1)
-    index = index[near]
-    points = disc + end
+def _are_cleared(points: Floats, pieces: Pieces, index: NDArray[np.intp], r: float) -> bool:
+    """Return whether the cutter has reached all points along some pieces."""
     standing = np.ones(len(points), bool)
     for start in range(0, len(index), 256):
         part = index[start : start + 256]

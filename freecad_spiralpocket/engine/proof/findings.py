@@ -15,28 +15,32 @@ from .wall_steps import WallStep
 
 #: Uncut area over that of the cutter's disc that is worth telling.
 TOLD_UNCUT = 1e-3
+#: A gouge is small that passes the tolerance by no more than the first [mm] and this share of it.
+GOUGE_SLACK, GOUGE_SHARE = 0.005, 0.5
 #: Air moves may touch stock over this length [mm].
 TOUCH = 0.1
 
 Place = tuple[float, float] | None
 
 
-def tell_gouge(depth: float, place: Place, tolerance: float) -> list[Notice]:
+def gouge_allowed(request: PocketRequest) -> float:
+    """Return up to how deep a gouge is told, but no reason not to run the path [mm]."""
+    return request.tolerance + min(GOUGE_SLACK, GOUGE_SHARE * request.tolerance)
+
+
+def tell_gouge(depth: float, place: Place, request: PocketRequest) -> list[Notice]:
     """Tell how far the cutter passes the wall [mm]."""
-    if depth <= tolerance:
+    if depth <= request.tolerance:
         return []
-    return [
-        Notice(
-            f"At {{at}} the cutter cuts {depth:.3f} mm into the wall.",
-            "Do not run this path; try another strategy or step-over.",
-            place,
-        )
-    ]
+    hint = "Lower Tolerance if the wall must be truer."
+    if depth > gouge_allowed(request):
+        hint = "Do not run this path; try another strategy or step-over."
+    return [Notice(f"At {{at}} the cutter cuts {depth:.3f} mm into the wall.", hint, place)]
 
 
-def tell_too_deep(depth: float, tolerance: float) -> list[Notice]:
+def tell_too_deep(depth: float, request: PocketRequest) -> list[Notice]:
     """Tell how far the cutter passes the floor [mm]."""
-    if depth <= tolerance:
+    if depth <= request.tolerance:
         return []
     return [
         Notice(

@@ -99,8 +99,8 @@ def prove(
         step_width=step.width,
         step_height=step.height,
         notices=(
-            *findings.tell_gouge(gouge, place, request.tolerance),
-            *findings.tell_too_deep(too_deep, request.tolerance),
+            *findings.tell_gouge(gouge, place, request),
+            *findings.tell_too_deep(too_deep, request),
             *findings.tell_hits("rapid", rapid.length, rapid.place),
             *findings.tell_hits("link", link.length, link.place),
             *findings.tell_uncut(uncut, missed, request),
