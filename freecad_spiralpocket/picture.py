@@ -192,7 +192,7 @@ def _draw_engagement(figure: Figure, axes: Axes, plans: Sequence[Plan]) -> None:
     limit = np.degrees(max(p.report.engagement_limit for p in plans))
     top = max(limit * LIMIT_SHARE, float(angles.max(initial=0.0)))
     lines = LineCollection(
-        segments, cmap=COLOR_MAP, norm=Normalize(0, top), lw=1.1, zorder=4, capstyle="round"
+        list(segments), cmap=COLOR_MAP, norm=Normalize(0, top), lw=1.1, zorder=4, capstyle="round"
     )
     lines.set_array(angles)
     axes.add_collection(lines)

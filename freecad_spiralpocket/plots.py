@@ -73,7 +73,7 @@ def curvature_histogram(axes: Axes, study: Study) -> None:
     curvature, lengths = study.curvature
     cuts = analysis.weighted_quantiles(curvature, lengths, [0.95, 0.99])
     top = max(1e-3, 1.5 * float(np.nan_to_num(cuts[1], posinf=10.0)))
-    bins = np.linspace(0, top, 60)
+    bins = np.linspace(0, top, 60).tolist()
     shares = lengths / max(lengths.sum(), 1e-9) * 100
     axes.hist(np.minimum(curvature, top), bins=bins, weights=shares, color=LINE)
     for cut, name, style in zip(cuts, ("Cut95", "Cut99"), ("--", ":"), strict=True):
@@ -85,7 +85,7 @@ def curvature_histogram(axes: Axes, study: Study) -> None:
 
 def engagement_histogram(axes: Axes, study: Study) -> None:
     """Draw how much of the length and of the time has which engagement."""
-    angles, bins = np.degrees(study.engagement.angles), np.arange(0, 181, 3)
+    angles, bins = np.degrees(study.engagement.angles), list(range(0, 181, 3))
     for weights, name, color in (
         (study.engagement.lengths, "length", LINE),
         (study.times, "time", SECOND),
@@ -110,7 +110,7 @@ def colored_path(
     xy = study.engagement.points[:, :2]
     near = np.flatnonzero(_steps(study) < _GAP * study.setup.cutter.diameter)
     segments = np.stack([xy[near], xy[near + 1]], axis=1)
-    lines = LineCollection(segments, cmap="turbo", lw=0.9, capstyle="round")
+    lines = LineCollection(list(segments), cmap="turbo", lw=0.9, capstyle="round")
     lines.set_array(values[near + 1])
     lines.set_clim(*bounds)
     axes.add_collection(lines)

@@ -88,7 +88,9 @@ def trace_of(plan: Plan) -> Trace:
     """Return the trace of a plan on its request's machine."""
     path, report = plan.toolpath, plan.report
     if len(path) == 0:
-        return Trace(path.start[None, :], np.zeros(1), np.zeros(1), *(np.zeros(0),) * 3)
+        none = np.zeros(0)
+        roles = np.zeros(0, np.int8)
+        return Trace(path.start[None, :], np.zeros(1), np.zeros(1), roles, none, none)
     measured = stations_of(path, report.engagement_moves, report.engagement_points)
     stations = np.unique(np.concatenate([[0.0], ends_of(path), _on_arcs(path), measured]))
     stations = stations[np.diff(stations, prepend=-1.0) > 1e-7]

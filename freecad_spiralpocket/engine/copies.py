@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from copy import copy
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -18,7 +17,7 @@ import shapely
 from shapely import Geometry, Polygon
 from shapely.affinity import affine_transform
 
-from .errors import SpiralPocketError
+from .errors import Place, SpiralPocketError
 from .machine import machine_of
 from .model import Floats, Plan, PocketRequest
 from .motion.timing import time_of
@@ -29,7 +28,6 @@ SAME = 1e-6
 TURNS = 24
 
 Shape = TypeVar("Shape", bound=Geometry)
-Place = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,10 +55,8 @@ class Displacement:
         there[:, 1] = self.sin * x + self.cos * y + self.y
         return there
 
-    def place(self, place: Place | None) -> Place | None:
-        """Return one place displaced, if there is one."""
-        if place is None:
-            return None
+    def place(self, place: Place) -> Place:
+        """Return one place displaced."""
         ((x, y),) = self.points(np.array([place])).tolist()
         return x, y
 
@@ -102,9 +98,7 @@ def moved(
     if way is None:
         raise ValueError("This pocket is no copy of the other.")
     if isinstance(outcome, SpiralPocketError):
-        error = copy(outcome)
-        error.place = way.place(outcome.place)
-        return error
+        return outcome.moved(way.place)
     path = outcome.toolpath
     toolpath = replace(
         path,
@@ -119,8 +113,8 @@ def moved(
         time=time_of(toolpath, machine_of(request)).total if way.sin else report.time,
         engagement_points=way.points(report.engagement_points),
         uncut=way.shape(report.uncut),
-        gouge_place=way.place(report.gouge_place),
-        notices=tuple(replace(n, place=way.place(n.place)) for n in report.notices),
+        gouge_place=report.gouge_place and way.place(report.gouge_place),
+        notices=tuple(replace(n, place=n.place and way.place(n.place)) for n in report.notices),
     )
     curves = (replace(c, control_points=way.points(c.control_points)) for c in outcome.curves)
     return Plan(request, toolpath, report, tuple(curves))

@@ -12,9 +12,13 @@ This module imports nothing but from Python itself, so that it can report that a
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
+
+#: (x, y) [mm].
+Place = tuple[float, float]
 
 
-def tell(message: str, hint: str, place: tuple[float, float] | None) -> str:
+def tell(message: str, hint: str, place: Place | None) -> str:
     """Return message and hint as one text, ``{at}`` replaced by the place ("X12.3 Y40.0")."""
     at = "the pocket" if place is None else f"X{place[0]:.1f} Y{place[1]:.1f}"
     return f"{message} {hint}".strip().replace("{at}", at)
@@ -33,9 +37,7 @@ class SpiralPocketError(Exception):
         Where on the part, (x, y) [mm].
     """
 
-    def __init__(
-        self, message: str, hint: str = "", place: tuple[float, float] | None = None
-    ) -> None:
+    def __init__(self, message: str, hint: str = "", place: Place | None = None) -> None:
         super().__init__(message)
         self._message = message
         self.hint = hint
@@ -43,9 +45,13 @@ class SpiralPocketError(Exception):
 
     def resized(self, factor: float) -> SpiralPocketError:
         """Return the error with all lengths times `factor`; here the place is all."""
-        if self.place is not None:
-            self.place = (factor * self.place[0], factor * self.place[1])
-        return self
+        return self.moved(lambda place: (factor * place[0], factor * place[1]))
+
+    def moved(self, to: Callable[[Place], Place]) -> SpiralPocketError:
+        """Return the error of the same pocket elsewhere: `to` says where a place is then."""
+        error = copy(self)
+        error.place = None if self.place is None else to(self.place)
+        return error
 
     def labelled(self, label: str) -> SpiralPocketError:
         """Return the error as that of the pocket with a label."""
@@ -100,7 +106,7 @@ class CancelledError(SpiralPocketError):
         self,
         message: str = "Stopped by the user.",
         hint: str = "Recompute the operation to try again.",
-        place: tuple[float, float] | None = None,
+        place: Place | None = None,
     ) -> None:
         super().__init__(message, hint, place)
 

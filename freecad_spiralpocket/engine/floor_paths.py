@@ -82,6 +82,4 @@ def floor_path(
     except CancelledError:
         raise
     except SpiralPocketError as error:
-        if is_mirrored and error.place is not None:
-            error.place = (-error.place[0], error.place[1])
-        return error
+        return error.moved(lambda place: (-place[0], place[1])) if is_mirrored else error

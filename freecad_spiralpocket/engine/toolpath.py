@@ -198,7 +198,7 @@ class ToolpathBuilder:
 
     def arc(
         self,
-        point: Sequence[float],
+        point: Sequence[float] | Floats,
         center: Sequence[float] | Floats,
         ccw: bool,
         feed: float,

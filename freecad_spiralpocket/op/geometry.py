@@ -18,19 +18,18 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+import shapely
+from shapely import Polygon
 
 from ..engine.errors import SelectionError
+from ..engine.model import Floats
+from ..engine.shapes.points import signed_area
+from ..engine.shapes.region import polygons_of
 from .adjacency import outer_wire
 from .selection import Floor
-
-if TYPE_CHECKING:
-    from shapely import Polygon
-
-Floats = NDArray[np.float64]
 
 #: Ends of edges that are closer than this are one corner [mm]; FreeCAD's own limit is 1e-7,
 #: IGES files are coarser.
@@ -93,9 +92,6 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
     SelectionError
         If a wire of the face is not closed or the outline crosses itself.
     """
-    import shapely
-    from shapely import Polygon
-
     outer = outer_wire(floor.face)
     rings = [_ring(outer, sag, floor.label, counter_clockwise=True)]
     if not use_outline:
@@ -118,27 +114,18 @@ def polygon(floor: Floor, sag: float, *, use_outline: bool = False) -> Polygon:
 
 def _filled(ring: Floats, sag: float) -> Polygon:
     """Return what a ring encloses; empty if it crosses itself."""
-    import shapely
-    from shapely import Polygon
-
     # chords may cross where an edge comes to another tangentially, as in a cusp
     return _largest(shapely.make_valid(Polygon(ring)), sag)
 
 
 def _largest(shape: Any, sag: float) -> Polygon:
     """Return the largest polygon in a shape; empty if others are wider than twice the sag."""
-    from shapely import Polygon
-
-    from ..engine.shapes.region import polygons_of
-
     first, *rest = polygons_of(shape) or [Polygon()]
     return Polygon() if any(not part.buffer(-sag).is_empty for part in rest) else first
 
 
 def holes(floor: Floor, sag: float) -> list[Polygon]:
     """Return the holes in a floor that are no islands, a sag too large or small."""
-    from shapely import Polygon
-
     outer = outer_wire(floor.face)
     return [
         Polygon(_ring(wire, sag, floor.label, counter_clockwise=True)).buffer(0)
@@ -155,8 +142,7 @@ def is_island(floor: Floor, wire: Any) -> bool:
 def _ring(wire: Any, sag: float, where: str, *, counter_clockwise: bool) -> Floats:
     """Return the wire as points, shape (n, 2), inside the pocket or on its wall."""
     pieces = _chain([pieces_of(e, sag) for e in wire.OrderedEdges], where)
-    x, y = np.array([p.start for p in pieces]).T
-    area = np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y) / 2
+    area = signed_area(np.array([p.start for p in pieces]))
     if (area > 0) != counter_clockwise:
         pieces = turned(pieces)
     return ring_points(pieces)

@@ -22,7 +22,7 @@ _TELLING = ("Path", "Active", "Group")
 def standing_before(obj: Any) -> Iterator[tuple[Any, tuple[str, ...]]]:
     """Yield the operations of the job that stand before one, and the names of all in each.
 
-    A dressup stands for the operation in it. None where there is no job.
+    A dressup stands for the operation in it. Without a job there are no such operations.
     """
     job = parent_job(obj)
     for operation in job.Operations.Group if job is not None else ():

@@ -65,8 +65,8 @@ def test_a_channel_without_room_for_a_helix_is_entered_by_a_slot(width):
         off = math.hypot(*(first[:2] - asked))
         assert made.report.uncut_area < 0.2 and made.report.gouge < 0.01
         assert bool(told(made)) == (off > made.request.tool_diameter)
-        # along the wall a slot may begin anywhere, at the channel's ends it may not
-        assert off < 6.0 or asked[0] < 6.0
+        if asked[0] > 6.0:  # along the wall a slot may begin anywhere, at the ends it may not
+            assert off < 6.0
 
 
 @pytest.mark.parametrize("strategy", [Strategy.LINEAR_MORPH, Strategy.EXTENDED_ARCHIMEDEAN])

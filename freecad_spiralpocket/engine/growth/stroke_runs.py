@@ -278,7 +278,7 @@ def first_laps(
 ) -> list[LineString]:
     """Return the closed laps about a plug that begin where the entry ends, each in the next.
 
-    None where there are none; the parameters are those of `begins_on`.
+    Empty where no such lap is; the parameters are those of `begins_on`.
     """
     for chain in chains_of(strokes):
         first = strokes[chain[0]]
