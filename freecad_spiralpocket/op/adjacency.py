@@ -16,7 +16,7 @@ from typing import Any
 import FreeCAD
 import Part
 
-from .seams import SAME_HEIGHT
+from .level import SAME_HEIGHT
 
 # found on a shape, not on its type, a method or property takes FreeCAD up to fifteen times as long
 _CODE = Part.Shape.hashCode
@@ -133,14 +133,6 @@ def _rises_along(adjacency: Adjacency, own: int | None, face: Any, other: int, e
     if abs(lean) > _TANGENT:
         return lean > 0
     return bool(above)
-
-
-def normal_of_plane(face: Any) -> Any:
-    """Return the outward normal of a flat face, None for a curved one."""
-    if not isinstance(face.Surface, Part.Plane) and face.findPlane() is None:
-        return None
-    u0, u1, v0, v1 = face.ParameterRange
-    return face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
 
 
 def outer_wire(face: Any) -> Any:

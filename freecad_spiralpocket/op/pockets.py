@@ -17,6 +17,7 @@ from ..engine.errors import SpiralPocketError, named
 from ..engine.model import Notice, Plan, PocketRequest, Progress
 from . import commands, open_sides, remarks, request, rest, seams, sections, selection, walls
 from .compat import parent_job
+from .level import SAME_HEIGHT
 from .solids import solids_of
 
 #: Share of the operation's tolerance that goes into the chords of curved walls; the rest is
@@ -280,7 +281,7 @@ class Pockets:
     def _remarks_on(self, floor: selection.Floor, wanted: PocketRequest) -> list[Notice]:
         """Return what is to be told of one pocket, whatever comes of its plan."""
         found = remarks.depths(wanted, floor.z, self._obj)
-        if floor.is_window and floor.z > floor.part.BoundBox.ZMin + selection.SAME_HEIGHT:
+        if floor.is_window and floor.z > floor.part.BoundBox.ZMin + SAME_HEIGHT:
             found.append(remarks.ends_higher(floor.z, floor.part.BoundBox.ZMin, wanted.floor))
         if floor.goes_on:
             found.append(remarks.goes_on())

@@ -10,8 +10,9 @@ from shapely import Polygon
 
 from ..engine.model import Notice, PocketRequest
 from .compat import flat_end, parent_job, tool_name, tool_shape
+from .level import SAME_HEIGHT
 from .rest import operations_before
-from .selection import PICK_ALL, SAME_HEIGHT
+from .selection import PICK_ALL
 from .tools import BULL_NOSES, ROUND_TOOLS
 
 #: A smaller share of a pocket that was cleared before is none.

@@ -29,7 +29,7 @@ from ..engine.model import (
 )
 from ..engine.stepover import radial_depth
 from . import preferences
-from .selection import SAME_HEIGHT
+from .level import SAME_HEIGHT
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon

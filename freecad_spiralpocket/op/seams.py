@@ -11,9 +11,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from .compat import STALE_ELEMENT_ERRORS
+from .level import SAME_HEIGHT, is_at_one_height
 
-#: Heights closer than this are the same [mm].
-SAME_HEIGHT = 1e-4
 #: The joined face may differ by so much from the sum of its parts, over that.
 SAME_AREA = 1e-6
 
@@ -45,9 +44,11 @@ def joined(solid: Any, faces: Sequence[Any]) -> tuple[Any, Any] | None:
 def face_at(shape: Any, z: float, place: Any) -> Any:
     """Return the level face of a shape at Z `z` in which a place is, None if there is none."""
     for face in shape.Faces:
-        box = face.BoundBox
-        is_there = box.ZLength < SAME_HEIGHT and abs(box.ZMin - z) < SAME_HEIGHT
-        if is_there and face.isInside(place, SAME_HEIGHT, True):
+        if (
+            is_at_one_height(face)
+            and abs(face.BoundBox.ZMin - z) < SAME_HEIGHT
+            and face.isInside(place, SAME_HEIGHT, True)
+        ):
             return face
     return None
 
@@ -58,10 +59,10 @@ def _level_edges(model: Any, name: str) -> set[tuple[int, int]]:
         face = model.Shape.getElement(name)
     except STALE_ELEMENT_ERRORS:
         return set()
-    box = face.BoundBox
-    if face.ShapeType != "Face" or box.ZLength > SAME_HEIGHT:
+    if face.ShapeType != "Face" or not is_at_one_height(face):
         return set()
-    return {(edge.hashCode(), round(box.ZMin / SAME_HEIGHT)) for edge in face.Edges}
+    z = round(face.BoundBox.ZMin / SAME_HEIGHT)
+    return {(edge.hashCode(), z) for edge in face.Edges}
 
 
 def inside(face: Any) -> Any:

@@ -25,7 +25,8 @@ from ..engine.errors import CutterDoesNotFitError
 from ..engine.levels import floors
 from ..engine.model import PocketRequest, Section
 from ..engine.shapes.region import polygons_of
-from .selection import SAME_HEIGHT, Floor
+from .level import SAME_HEIGHT
+from .selection import Floor
 from .slices import ABOVE
 from .walls import Walls
 

@@ -14,13 +14,11 @@ from typing import Any
 
 from ..engine.errors import SelectionError, SetupError
 from . import seams, windows
-from .adjacency import Adjacency, normal_of_plane, outer_wire
+from .adjacency import Adjacency, outer_wire
 from .compat import STALE_ELEMENT_ERRORS, PathUtil
-from .seams import SAME_HEIGHT
+from .level import LEVEL_TOLERANCE, SAME_HEIGHT, is_at_one_height, looks, normal_of_plane
 from .solids import solids_of
 
-#: A floor may be out of level by this much [rad]: drawings are exact, IGES files are not.
-LEVEL_TOLERANCE = 1e-4
 #: Copies of a solid may differ by so much, over its volume.
 SAME_VOLUME = 1e-6
 
@@ -129,7 +127,7 @@ def floor(
     faces = [_element(shape, label(model, name), name) for name in names]
     if any(face.ShapeType != "Face" for face in faces):
         raise SelectionError(f"{where} is not a face.", _PICK_A_FLOOR)
-    if not _is_level(faces[0]):
+    if not is_at_one_height(faces[0]):
         window = _window(model, names[0], shape, faces[0], known)
         if window is not None:
             return window
@@ -138,7 +136,7 @@ def floor(
     solid, adjacency = _solid_of(shape, faces[0], where, known)
     faces = [adjacency.same_as(face) or face for face in faces]
     face = faces[0]
-    if normal_of_plane(face).z < 0:
+    if looks(face) < 0:
         raise SelectionError(
             f"{where} looks down.", "Select the floor of the pocket, or turn the part over."
         )
@@ -198,7 +196,7 @@ def heights(base: list[tuple[Any, Any]], known: dict[Any, Any] | None = None) ->
                 face = model.Shape.getElement(name)
             except STALE_ELEMENT_ERRORS:
                 continue
-            if _is_level(face):
+            if is_at_one_height(face):
                 result.append(face.BoundBox.ZMin)
                 continue
             if face.ShapeType != "Face":
@@ -311,17 +309,13 @@ def _element(shape: Any, where: str, name: str) -> Any:
         ) from error
 
 
-def _is_level(face: Any) -> bool:
-    return bool(face.BoundBox.ZLength < SAME_HEIGHT)
-
-
 def _check_level(face: Any, where: str) -> None:
     normal = normal_of_plane(face)
     if normal is None:
         raise SelectionError(f"{where} is not flat.", _PICK_A_FLOOR)
     if abs(normal.z) < LEVEL_TOLERANCE:
         raise SelectionError(f"{where} is vertical: it is a wall, not a floor.", _PICK_A_FLOOR)
-    if abs(normal.z) < 1 - LEVEL_TOLERANCE**2 / 2:
+    if not looks(face):
         raise SelectionError(f"{where} is not level.", _PICK_A_FLOOR)
 
 

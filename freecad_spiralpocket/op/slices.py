@@ -22,7 +22,7 @@ from ..engine.errors import GeometryError
 from ..engine.shapes.points import signed_area
 from ..engine.shapes.region import polygons_of
 from . import geometry
-from .selection import SAME_HEIGHT
+from .level import is_at_one_height, looks
 from .triangles import SAG, is_patch, looking_down
 
 #: Where triangles nearly meet they are joined on a grid so fine [mm].
@@ -33,8 +33,8 @@ ABOVE = 1e-3
 TRIES = (1.0, 2.0, 0.5)
 #: FreeCAD's sections of curved faces are out by up to this [mm].
 RIPPLE = 1e-4
-#: A part of a normal up to this is none; a plane from a file may be out by so much [rad].
-LEVEL = 1e-5
+#: A wall is vertical that leans by no more than this [rad].
+LEANS = 1e-5
 #: Normals are looked at in so many places each way.
 PLACES = 9
 #: Faces that become few triangles, since they bend one way at most.
@@ -195,22 +195,20 @@ def _clipped(face: Any, bounds: tuple[float, float, float, float], z: float) -> 
 
 def is_level(face: Any) -> bool:
     """Return whether a face is flat, level and looks up."""
-    if face.BoundBox.ZLength > SAME_HEIGHT:
-        return False
-    return bool(_normals(face)[:, 2].min() > 1 - LEVEL)
+    return is_at_one_height(face) and looks(face) > 0
 
 
 def is_vertical(face: Any) -> bool:
     """Return whether a face is vertical everywhere."""
     surface = face.Surface
     if isinstance(surface, Part.Plane):
-        return bool(abs(surface.Axis.z) < LEVEL)
-    return bool(np.abs(_normals(face)[:, 2]).max() < LEVEL)
+        return bool(abs(surface.Axis.z) < LEANS)
+    return bool(np.abs(_normals(face)[:, 2]).max() < LEANS)
 
 
 def looks_down(face: Any) -> bool:
     """Return whether a face looks down anywhere."""
-    return bool(_normals(face)[:, 2].min() < -LEVEL)
+    return bool(_normals(face)[:, 2].min() < -LEANS)
 
 
 def place_on(face: Any) -> tuple[float, float]:
@@ -254,13 +252,24 @@ def _sided(edge: Any, face: Any, sag: float) -> Pieces:
 
 def _rings(chains: list[Pieces]) -> tuple[list[Pieces], list[Pieces]]:
     """Return the closed rings that chains form head to tail, and what stays open."""
-    left = list(chains)
+    starts = np.array([chain[0].start for chain in chains]).reshape(-1, 2)
+    ends = np.array([chain[-1].end for chain in chains]).reshape(-1, 2)
+    is_left = np.ones(len(chains), bool)
     rings: list[Pieces] = []
     broken: list[Pieces] = []
-    while left:
-        ring = list(left.pop())
-        while not _is_closed(ring) and _lengthened(ring, left):
-            pass
+    for number in reversed(range(len(chains))):
+        if not is_left[number]:
+            continue
+        ring = list(chains[number])
+        is_left[number] = False
+        while not _is_closed(ring):
+            place, found = len(ring), _nearest(starts, ring[-1].end, is_left)
+            if found is None:
+                place, found = 0, _nearest(ends, ring[0].start, is_left)
+            if found is None:
+                break
+            ring[place:place] = chains[found]
+            is_left[found] = False
         (rings if _is_closed(ring) else broken).append(ring)
     return rings, broken
 
@@ -273,18 +282,11 @@ def _gap(one: np.ndarray, other: np.ndarray) -> float:
     return float(np.hypot(*(one - other)))
 
 
-def _lengthened(ring: Pieces, left: list[Pieces]) -> bool:
-    """Move the nearest chain that meets an end of a ring there; return whether there was one."""
-    for place in (len(ring), 0):
-        if place:
-            gaps = [_gap(chain[0].start, ring[-1].end) for chain in left]
-        else:
-            gaps = [_gap(chain[-1].end, ring[0].start) for chain in left]
-        nearest = int(np.argmin(gaps)) if gaps else -1
-        if nearest >= 0 and gaps[nearest] <= geometry.GAP:
-            ring[place:place] = left.pop(nearest)
-            return True
-    return False
+def _nearest(places: np.ndarray, end: np.ndarray, is_left: np.ndarray) -> int | None:
+    """Return the number of the nearest place among those left that meets an end, None if none."""
+    gaps = np.where(is_left, np.hypot(*(places - end).T), np.inf)
+    nearest = int(np.argmin(gaps))
+    return nearest if gaps[nearest] <= geometry.GAP else None
 
 
 def _open_end(broken: list[Pieces], within: Polygon | None) -> tuple[float, float] | None:

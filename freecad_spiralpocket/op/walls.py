@@ -24,8 +24,9 @@ from ..engine.shapes.points import signed_area
 from ..engine.shapes.region import polygons_of
 from . import geometry
 from .adjacency import outer_wire
+from .level import SAME_HEIGHT
 from .open_sides import OpenSides, lines_of
-from .selection import SAME_HEIGHT, Floor
+from .selection import Floor
 from .slices import (
     ABOVE,
     cuts,

@@ -14,11 +14,10 @@ from typing import Any
 import Part
 from FreeCAD import Vector
 
-from .adjacency import Adjacency, normal_of_plane, outer_wire
+from .adjacency import Adjacency, outer_wire
+from .level import looks
 from .seams import face_at, inside
 
-#: A face is level whose normal is upright but for this of its length.
-LEVEL = 1e-6
 #: The board is so much wider than the face around the window, and so thick [mm].
 MARGIN, THICKNESS = 1.0, 1.0
 
@@ -64,7 +63,7 @@ class Windows:
     def of(self, wall: Any) -> Window | None:
         """Return the window that a face of the solid is a wall of, None if it is of none."""
         number = self._adjacency.number(wall)
-        if number is None or _looks(wall):
+        if number is None or looks(wall):
             return None
         if number not in self._found:
             walls, window = self._followed(number)
@@ -96,11 +95,11 @@ class Windows:
             own = todo.pop()
             for other in sorted(adjacency.around(own) - seen):
                 face = adjacency.faces[other]
-                looks = _looks(face)
-                if looks == 0:
+                way = looks(face)
+                if way == 0:
                     seen.add(other)
                     todo.append(other)
-                elif looks < 0:
+                elif way < 0:
                     rim = _shared_wire(face, adjacency.faces[own])
                     if rim is None:  # the part's own outline
                         return seen, None
@@ -114,14 +113,6 @@ class Windows:
         board = Part.makeBox(*size, Vector(box.XMin - MARGIN, box.YMin - MARGIN, z - THICKNESS))
         solids = self.solid.fuse(board).Solids
         return (solids[0], Adjacency(solids[0])) if solids else None
-
-
-def _looks(face: Any) -> int:
-    """Return 1 for a level face that looks up, -1 for one that looks down, 0 for any other."""
-    normal = normal_of_plane(face)
-    if normal is None or abs(normal.z) < 1 - LEVEL:
-        return 0
-    return 1 if normal.z > 0 else -1
 
 
 def _shared_wire(face: Any, other: Any) -> Any:
