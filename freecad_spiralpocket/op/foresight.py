@@ -21,6 +21,7 @@ from ..engine.model import Notice, PocketRequest
 from . import selection
 from .compat import parent_job
 from .expressions import as_number, told
+from .known import Known
 from .pockets import Pockets
 
 
@@ -90,14 +91,14 @@ class Foreseen(NamedTuple):
     labels: list[str]
 
 
-def requests_of(obj: Any, known: dict[Any, Any] | None = None) -> Foreseen:
+def requests_of(obj: Any, known: Known | None = None) -> Foreseen:
     """Return what the next recompute will ask for.
 
     Parameters
     ----------
     obj : object
         The operation.
-    known : dict, optional
+    known : Known, optional
         See `Pockets`.
 
     Raises
@@ -108,7 +109,7 @@ def requests_of(obj: Any, known: dict[Any, Any] | None = None) -> Foreseen:
     pockets = Pockets(Foresight(obj), known=known)
     found = pockets.requests()
     notices = pockets.foreseen_notices(found)
-    return Foreseen([wanted for _, wanted in found], notices, pockets.labels)
+    return Foreseen([each.wanted for each in found], notices, pockets.labels)
 
 
 def _now(obj: Any) -> list[tuple[str, float]]:

@@ -9,7 +9,7 @@ are copies of each other have the same path (copies.py).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from ..beside.crew import plan_together
 from ..engine import copies
@@ -17,6 +17,7 @@ from ..engine.errors import SpiralPocketError, named
 from ..engine.model import Notice, Plan, PocketRequest, Progress
 from . import commands, open_sides, remarks, request, rest, seams, sections, selection, walls
 from .compat import parent_job
+from .known import Known
 from .level import SAME_HEIGHT
 from .solids import solids_of
 
@@ -32,8 +33,24 @@ Planner: TypeAlias = Callable[
     [Sequence[PocketRequest], Progress | None], Sequence[Plan | SpiralPocketError]
 ]
 
-#: A floor and its request, or None and what is the matter.
-Found: TypeAlias = tuple[selection.Floor | None, PocketRequest | SpiralPocketError]
+
+class Found(NamedTuple):
+    """A selected floor and its request, or what is the matter.
+
+    Attributes
+    ----------
+    floor : Floor or None
+    wanted : PocketRequest or SpiralPocketError
+    kept_off : float
+        How much of the floor is kept off for what hangs over it [mm2].
+    is_shared : bool
+        Whether other parts of the job stand in the pocket or over it.
+    """
+
+    floor: selection.Floor | None
+    wanted: PocketRequest | SpiralPocketError
+    kept_off: float = 0.0
+    is_shared: bool = False
 
 
 class Pockets:
@@ -45,9 +62,8 @@ class Pockets:
         The operation.
     earlier : sequence of Plan
         What may be taken over.
-    known : dict, optional
-        Floors and walls from earlier calls with the same; they are found in it again as long as
-        the model's shape is the same, and new ones are put into it.
+    known : Known, optional
+        From earlier calls for the same operation; is added to.
 
     Attributes
     ----------
@@ -56,23 +72,18 @@ class Pockets:
         One for each thing that is the matter, naming the pockets that have it.
     """
 
-    def __init__(
-        self, obj: Any, earlier: Sequence[Plan] = (), known: dict[Any, Any] | None = None
-    ) -> None:
+    def __init__(self, obj: Any, earlier: Sequence[Plan] = (), known: Known | None = None) -> None:
         self._obj = obj
-        self._known = {} if known is None else known
+        self._known = known or Known()
         firsts = copies.originals([plan.request for plan in earlier])
         self._earlier = [earlier[i] for i in dict.fromkeys(firsts)]
         self._notices: list[Notice] = []
         self._failures: list[tuple[str, SpiralPocketError]] = []
-        self._overhung: dict[int, float] = {}
-        self._shared: dict[int, bool] = {}
         self.plans: list[Plan] = []
         shapes = (getattr(model, "Shape", None) for model in parent_job(obj).Model.Group)
         self._shapes = [shape for shape in shapes if shape is not None and not shape.isNull()]
-        solids = self._known.setdefault("adjacency", {})
-        self._deepest = min(selection.heights(obj.Base, solids), default=0.0)
-        self._solids = [s for shape in self._shapes for s in solids_of(shape, solids)]
+        self._deepest = min(selection.heights(obj.Base, self._known), default=0.0)
+        self._solids = [s for shape in self._shapes for s in solids_of(shape, self._known)]
         groups = seams.groups(selection.selected(obj.Base))
         found = [floor for group in groups for floor in self._floors_of(*group)]
         self._selected = self._without_twins(found)
@@ -84,12 +95,12 @@ class Pockets:
         found: list[Found] = []
         for floor in floors:
             if isinstance(floor, SpiralPocketError):
-                found.append((None, floor))
+                found.append(Found(None, floor))
                 continue
             try:
-                found.append((floor, self._request(floor, sound)))
+                found.append(self._request(floor, sound))
             except SpiralPocketError as error:
-                found.append((None, error))
+                found.append(Found(None, error))
         return found
 
     def plan(self, progress: Progress | None = None, planner: Planner | None = None) -> None:
@@ -101,14 +112,15 @@ class Pockets:
             If `progress` says so.
         """
         found = self.requests()
-        wanted = [r for _, r in found if isinstance(r, PocketRequest)]
+        wanted = [each.wanted for each in found if isinstance(each.wanted, PocketRequest)]
         outcomes = iter(self._outcomes(wanted, progress, planner or plan_together))
-        for (floor, sound), label in zip(found, self.labels, strict=True):
-            outcome = next(outcomes) if isinstance(sound, PocketRequest) else sound
+        for each, label in zip(found, self.labels, strict=True):
+            sound = isinstance(each.wanted, PocketRequest)
+            outcome = next(outcomes) if sound else each.wanted
             if isinstance(outcome, SpiralPocketError):
                 self._failures.append((label, outcome))
             else:
-                self._take(floor, outcome)
+                self._take(each, outcome)
 
     def _outcomes(
         self, wanted: Sequence[PocketRequest], progress: Progress | None, planner: Planner
@@ -142,9 +154,9 @@ class Pockets:
 
     def foreseen_notices(self, found: Sequence[Found]) -> list[Notice]:
         """Return what is known of `requests()` before anything is planned."""
-        sound = [(f, r) for f, r in found if f is not None and isinstance(r, PocketRequest)]
-        told = [notice for floor, wanted in sound for notice in self._remarks_on(floor, wanted)]
-        return [*self._general_notices([wanted for _, wanted in sound]), *told]
+        wanted = [each.wanted for each in found if isinstance(each.wanted, PocketRequest)]
+        told = [notice for each in found for notice in self._remarks_on(each)]
+        return [*self._general_notices(wanted), *told]
 
     def _general_notices(self, wanted: Sequence[PocketRequest]) -> list[Notice]:
         """Return what concerns all pockets."""
@@ -205,20 +217,19 @@ class Pockets:
     def _floor(self, model: Any, names: Sequence[str]) -> selection.Floor | SpiralPocketError:
         """Return the floor that faces are, or why they are none."""
         key = (model.Name, tuple(names), model.Shape.hashCode())
-        if key not in self._known:
+        floors = self._known.floors
+        if key not in floors:
             try:
-                self._known[key] = selection.floor(
-                    model, names, self._known.setdefault("adjacency", {})
-                )
+                floors[key] = selection.floor(model, names, self._known)
             except SpiralPocketError as error:
                 return error
-        return self._known[key]
+        return floors[key]
 
     def _request(
         self,
         floor: selection.Floor,
         floors: Sequence[selection.Floor],
-    ) -> PocketRequest:
+    ) -> Found:
         """Return the request for the pocket above a floor, one of those selected."""
         selection.check_stock(floor, self._obj, parent_job(self._obj).Stock.Shape.BoundBox)
         sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
@@ -226,25 +237,24 @@ class Pockets:
         shapes = self._shapes
         codes = (shape.hashCode() for shape in shapes)
         key = (id(floor), sag, self._obj.UseOutline, beyond and id(beyond), *codes)
-        if key not in self._known:
-            self._known[key] = walls.Walls(
+        if key not in self._known.walls:
+            self._known.walls[key] = walls.Walls(
                 floor,
                 sag,
                 use_outline=self._obj.UseOutline,
                 open_sides=beyond,
                 others=selection.others(floor, self._solids),
             )
-        above = self._known[key]
+        above = self._known.walls[key]
         depth = request.final_depth(self._obj, floor.z, self._deepest)
         stock = beyond.stock if beyond else None
         wanted = request.build(self._obj, above.outline, depth, stock, above.beyond)
         others = [other for other in floors if other is not floor]
         fitted = sections.fitted(wanted, floor, above, others, sag)
-        self._overhung[id(floor)] = remarks.overhung(above.outline, fitted.pocket)
-        self._shared[id(floor)] = above.are_others_inside
+        kept_off = remarks.overhung(above.outline, fitted.pocket)
         if self._obj.UseRestMachining:
-            return rest.rest_of(fitted, self._obj, self._known)
-        return fitted
+            fitted = rest.rest_of(fitted, self._obj, self._known)
+        return Found(floor, fitted, kept_off, above.are_others_inside)
 
     def _open_sides(self, floor: selection.Floor, sag: float) -> open_sides.OpenSides | None:
         """Return the floor's open sides if the cutter goes beyond them, else None."""
@@ -254,8 +264,8 @@ class Pockets:
         radius, left = self._obj.OpToolDiameter.Value / 2, self._obj.StockToLeave.Value
         stock = open_sides.outline_of_stock(job.Stock.Shape)
         key = (id(floor), sag, radius, left, stock.wkb, *(shape.hashCode() for shape in shapes))
-        if key not in self._known:
-            self._known[key] = open_sides.OpenSides(
+        if key not in self._known.open_sides:
+            self._known.open_sides[key] = open_sides.OpenSides(
                 floor,
                 sag,
                 solids=self._solids,
@@ -263,7 +273,7 @@ class Pockets:
                 cutter_radius=radius,
                 stock_to_leave=left,
             )
-        return self._known[key]
+        return self._known.open_sides[key]
 
     def _taken_over(self, wanted: PocketRequest) -> Plan | None:
         """Return an earlier plan for the same request, or None.
@@ -272,14 +282,17 @@ class Pockets:
         """
         return next((plan for plan in self._earlier if plan.request == wanted), None)
 
-    def _take(self, floor: selection.Floor, plan: Plan) -> None:
+    def _take(self, each: Found, plan: Plan) -> None:
         """Add the plan of one pocket, and what is to be told of it."""
         self.plans.append(plan)
-        self._notices += self._remarks_on(floor, plan.request)
-        self._notices += [self._labelled(floor, notice) for notice in plan.report.notices]
+        self._notices += self._remarks_on(each)
+        self._notices += [self._labelled(each.floor, notice) for notice in plan.report.notices]
 
-    def _remarks_on(self, floor: selection.Floor, wanted: PocketRequest) -> list[Notice]:
+    def _remarks_on(self, each: Found) -> list[Notice]:
         """Return what is to be told of one pocket, whatever comes of its plan."""
+        floor, wanted, kept_off, is_shared = each
+        if floor is None or not isinstance(wanted, PocketRequest):
+            return []
         found = remarks.depths(wanted, floor.z, self._obj)
         if floor.is_window and floor.z > floor.part.BoundBox.ZMin + SAME_HEIGHT:
             found.append(remarks.ends_higher(floor.z, floor.part.BoundBox.ZMin, wanted.floor))
@@ -287,11 +300,10 @@ class Pockets:
             found.append(remarks.goes_on())
         if floor.open_edges:
             found.append(remarks.open_sides(wanted))
-        overhung = self._overhung[id(floor)]
-        if self._shared[id(floor)]:
-            found.append(remarks.others(overhung))
-        elif overhung > remarks.TOLD_OVERHANG:
-            found.append(remarks.overhang(overhung))
+        if is_shared:
+            found.append(remarks.others(kept_off))
+        elif kept_off > remarks.TOLD_OVERHANG:
+            found.append(remarks.overhang(kept_off))
         if self._obj.UseRestMachining:
             found.append(remarks.rest(rest.share_cleared(wanted)))
         return [self._labelled(floor, notice) for notice in found]

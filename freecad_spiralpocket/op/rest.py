@@ -24,6 +24,7 @@ from ..engine.proof.coverage import reachable_floor, uncut_floor
 from ..engine.shapes.region import polygons_of
 from ..gcode import parse_program
 from .compat import operation_property, tool_shape
+from .known import Known
 from .rest_watch import standing_before
 from .tools import FLAT_TOOLS
 
@@ -41,7 +42,7 @@ ANY_FEED = 1.0
 _TURNS = re.compile(r"\b[ABC]\s*[-+.\d]")
 
 
-def rest_of(wanted: PocketRequest, obj: Any, known: dict[Any, Any]) -> PocketRequest:
+def rest_of(wanted: PocketRequest, obj: Any, known: Known) -> PocketRequest:
     """Return a request for what earlier operations have left of a pocket.
 
     Parameters
@@ -50,7 +51,7 @@ def rest_of(wanted: PocketRequest, obj: Any, known: dict[Any, Any]) -> PocketReq
         For the whole pocket.
     obj : object
         The operation.
-    known : dict
+    known : Known
         See `Pockets`.
     """
     floors = [(s.pocket, s.z) for s in wanted.sections] or [(wanted.pocket, wanted.floor)]
@@ -81,7 +82,7 @@ def _standing(
     floor: tuple[Polygon, float],
     cutters: Sequence[tuple[Any, float]],
     wanted: PocketRequest,
-    known: dict[Any, Any],
+    known: Known,
 ) -> shapely.Geometry:
     """Return what earlier operations have left of a level's floor; itself if they were not there.
 
@@ -99,12 +100,12 @@ def _standing(
     for operation, diameter in cutters:
         program = operation.Path.toGCode()
         key = (program, diameter, rest.wkb, z, wanted.axial_depth)
-        if key not in known:
+        if key not in known.rests:
             pieces = _pieces(program, diameter / 2, z, wanted.axial_depth)
-            known[key] = rest
+            known.rests[key] = rest
             if pieces is not None:
-                known[key] = uncut_floor(rest, pieces, z + SHALLOW, diameter / 2, 0.0)
-        rest = known[key]
+                known.rests[key] = uncut_floor(rest, pieces, z + SHALLOW, diameter / 2, 0.0)
+        rest = known.rests[key]
     return rest
 
 

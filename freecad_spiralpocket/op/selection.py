@@ -16,6 +16,7 @@ from ..engine.errors import SelectionError, SetupError
 from . import seams, windows
 from .adjacency import Adjacency, outer_wire
 from .compat import STALE_ELEMENT_ERRORS, PathUtil
+from .known import Known
 from .level import LEVEL_TOLERANCE, SAME_HEIGHT, is_at_one_height, looks, normal_of_plane
 from .solids import solids_of
 
@@ -101,7 +102,7 @@ def selected(base: list[tuple[Any, Any]]) -> list[tuple[Any, str]]:
 def floor(
     model: Any,
     names: str | Sequence[str],
-    known: dict[Any, Any] | None = None,
+    known: Known | None = None,
     shape: Any = None,
 ) -> Floor:
     """Return the floor that one face of `model` is, or several that meet.
@@ -110,8 +111,8 @@ def floor(
     ----------
     model : object
     names : str or sequence of str
-    known : dict, optional
-        What was found out about shapes and solids; is added to.
+    known : Known, optional
+        Is added to.
     shape : object, optional
         The model's, fetched before: that of a link or a group is another one each time.
 
@@ -121,7 +122,7 @@ def floor(
         If it is no face, not there, or not the floor of a pocket in a closed solid.
     """
     names = [names] if isinstance(names, str) else names
-    known = {} if known is None else known
+    known = known or Known()
     where = label(model, ", ".join(names))
     shape = model.Shape if shape is None else shape
     faces = [_element(shape, label(model, name), name) for name in names]
@@ -163,7 +164,7 @@ def floor(
     return Floor(model, ", ".join(names), face, solid, z, open_edges, goes_on, adjacency, solid)
 
 
-def _window(model: Any, name: str, shape: Any, wall: Any, known: dict[Any, Any]) -> Floor | None:
+def _window(model: Any, name: str, shape: Any, wall: Any, known: Known) -> Floor | None:
     """Return the floor under the window that a face is a wall of, None if it is of none."""
     through = _windows_of(shape, wall, label(model, name), known)
     window = through.of(wall)
@@ -174,22 +175,22 @@ def _window(model: Any, name: str, shape: Any, wall: Any, known: dict[Any, Any])
     return Floor(model, name, face, solid, window.z, 0, False, around, through.solid)
 
 
-def _windows_of(shape: Any, wall: Any, where: str, known: dict[Any, Any]) -> windows.Windows:
+def _windows_of(shape: Any, wall: Any, where: str, known: Known) -> windows.Windows:
     """Return the windows of the solid that a face bounds."""
     solid, adjacency = _solid_of(shape, wall, where, known)
-    key = "windows", solid.hashCode()
-    if key not in known:
-        known[key] = windows.Windows(solid, adjacency)
-    return known[key]
+    key = solid.hashCode()
+    if key not in known.windows:
+        known.windows[key] = windows.Windows(solid, adjacency)
+    return known.windows[key]
 
 
-def heights(base: list[tuple[Any, Any]], known: dict[Any, Any] | None = None) -> list[float]:
+def heights(base: list[tuple[Any, Any]], known: Known | None = None) -> list[float]:
     """Return the heights of the level faces in FreeCAD's list `base` [mm], and of windows.
 
-    Without the rest. `known` is as for `floor`.
+    Without the rest. `known` is added to.
     """
     result: list[float] = []
-    known = {} if known is None else known
+    known = known or Known()
     for model, names in base or []:
         for name in [names] if isinstance(names, str) else names:
             try:
@@ -319,18 +320,18 @@ def _check_level(face: Any, where: str) -> None:
         raise SelectionError(f"{where} is not level.", _PICK_A_FLOOR)
 
 
-def _solid_of(shape: Any, face: Any, where: str, known: dict[Any, Any]) -> tuple[Any, Adjacency]:
+def _solid_of(shape: Any, face: Any, where: str, known: Known) -> tuple[Any, Adjacency]:
     """Return the closed solid that a level face bounds, and its adjacency."""
     solids = solids_of(shape, known)
     for find in (Adjacency.number, Adjacency.same_as):  # sewing makes new faces
         for solid in solids:
             key = solid.hashCode()
-            if key not in known:
-                known[key] = Adjacency(solid)
-            if find(known[key], face) is not None and all(
+            if key not in known.adjacency:
+                known.adjacency[key] = Adjacency(solid)
+            if find(known.adjacency[key], face) is not None and all(
                 shell.isClosed() for shell in solid.Shells
             ):
-                return solid, known[key]
+                return solid, known.adjacency[key]
     raise SelectionError(
         f"The part with {where} is an open shell, not a closed solid.",
         "Close it first (Part workbench, Check Geometry and Convert to Solid).",
@@ -339,7 +340,7 @@ def _solid_of(shape: Any, face: Any, where: str, known: dict[Any, Any]) -> tuple
 
 def find_floors(model: Any) -> Iterator[Floor]:
     """Yield every face of `model` that is the floor of a pocket, walled all around."""
-    known: dict[int, Adjacency] = {}
+    known = Known()
     shape = model.Shape
     for number, face in enumerate(shape.Faces, 1):
         normal = normal_of_plane(face)

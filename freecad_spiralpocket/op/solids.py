@@ -11,23 +11,24 @@ from typing import Any
 
 import Part
 
+from .known import Known
 
-def solids_of(shape: Any, known: dict[Any, Any] | None = None) -> list[Any]:
+
+def solids_of(shape: Any, known: Known | None = None) -> list[Any]:
     """Return the solids of a part, their faces looking outwards.
 
     Parameters
     ----------
     shape : Part.Shape
-    known : dict, optional
-        What was returned for shapes before; is added to.
+    known : Known, optional
+        Is added to.
     """
-    known = {} if known is None else known
-    key = "solids", shape.hashCode()
-    if key not in known:
+    found = {} if known is None else known.solids
+    key = shape.hashCode()
+    if key not in found:
         solids = shape.Solids or closed(shape)
-        # with the shape, as the code of one that is gone may become another's
-        known[key] = shape, [_outside_out(solid) for solid in solids]
-    return list(known[key][1])
+        found[key] = shape, [_outside_out(solid) for solid in solids]
+    return list(found[key][1])
 
 
 def closed(shape: Any) -> list[Any]:

@@ -20,6 +20,7 @@ from ...beside.tasks import Drawn
 from ...engine.dependencies import require_libraries
 from ...engine.errors import CancelledError, SpiralPocketError, named
 from ...engine.model import Notice, Plan, PocketRequest
+from ...op.known import Known
 from . import lanes
 from .pocket import Pocket
 
@@ -28,7 +29,7 @@ QUIET = 300  # ms without a change after which proofs begin
 AGAIN = 50  # ms, how often is asked whether the drafts are done
 TOGETHER = 500  # ms, so long drafts of some pockets wait for those of the others: the window
 # draws once, which takes longer than a draft
-MOST_SHAPES = 500  # that are kept
+MOST_KNOWN = 500  # things about the model that are kept
 
 
 class Outlook:
@@ -55,7 +56,7 @@ class Outlook:
         self.notices: list[Notice] = []
         self.listeners: list[Callable[[], None]] = []
         self.is_on, self.is_stopped = True, False
-        self._shapes: dict[Any, Any] = {}  # what was read off the model
+        self._known = Known()
         self._is_closed = False
         self._soon, self._quiet, self._news = (QtCore.QTimer() for _ in range(3))
         for timer, slot in (
@@ -173,15 +174,15 @@ class Outlook:
 
     def _look(self) -> None:
         """Foresee the requests; keep the pockets that stayed the same."""
-        if len(self._shapes) > MOST_SHAPES:
-            self._shapes.clear()
+        if len(self._known) > MOST_KNOWN:
+            self._known = Known()
         try:
             require_libraries()
             from ...op.foresight import requests_of
 
             found, self.notices, labels = [], [], []
             if self._obj.Active:
-                found, self.notices, labels = requests_of(self._obj, self._shapes)
+                found, self.notices, labels = requests_of(self._obj, self._known)
         except SpiralPocketError as error:
             found, self.notices, labels = [error], [], [""]
         pairs = list(zip(labels, found, strict=True))
