@@ -13,6 +13,7 @@ from freecad_spiralpocket.engine import repair
 from freecad_spiralpocket.engine.machine import MIDDLING, Machine
 from freecad_spiralpocket.engine.model import Cutting, Heights, PocketRequest, Report
 from freecad_spiralpocket.engine.motion.timing import time_of
+from freecad_spiralpocket.engine.proof.findings import tell_engagement
 from freecad_spiralpocket.engine.proof.verify import prove
 from freecad_spiralpocket.engine.toolpath import Role, Toolpath, ToolpathBuilder
 
@@ -132,6 +133,15 @@ def test_gouge_is_told():
     report = proved(lines(started(20, 20), (37.2, 20)).build())
     assert report.gouge == pytest.approx(0.2)
     assert "cuts 0.200 mm into the wall" in said(report)
+
+
+@pytest.mark.parametrize(
+    ("degrees", "share", "is_told"),
+    [(90, 0.5, False), (98, 0.0005, False), (98, 0.002, True), (130, 0.0005, True)],
+)
+def test_engagement_is_told_that_is_over_the_limit_for_more_than_a_moment(degrees, share, is_told):
+    told = tell_engagement(np.radians(degrees), (1.0, 2.0), share, False, request(SQUARE))
+    assert bool(told) == is_told
 
 
 @pytest.mark.parametrize(

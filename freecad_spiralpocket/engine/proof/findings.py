@@ -17,6 +17,9 @@ from .wall_steps import WallStep
 TOLD_UNCUT = 1e-3
 #: A gouge is small that passes the tolerance by no more than the first [mm] and this share of it.
 GOUGE_SLACK, GOUGE_SHARE = 0.005, 0.5
+#: Engagement above the limit is not told that is so over no more than this share of the cut, and
+#: by no more than so much [rad].
+BRIEFLY, PEAK = 1e-3, np.radians(30.0)
 #: Air moves may touch stock over this length [mm].
 TOUCH = 0.1
 
@@ -85,7 +88,9 @@ def tell_steps(step: WallStep) -> list[Notice]:
 def tell_engagement(
     angle: float, place: Place, share: float, is_slowed: bool, request: PocketRequest
 ) -> list[Notice]:
-    """Tell where the engagement is largest, if that is clearly above the limit.
+    """Tell where the engagement is largest, if that is clearly above the limit, and matters.
+
+    A corner in which it is so for a millimeter shows in the figures of the report alone.
 
     Parameters
     ----------
@@ -100,7 +105,7 @@ def tell_engagement(
     request : PocketRequest
     """
     limit = request.engagement_limit
-    if angle <= over_limit(limit):
+    if angle <= over_limit(limit) or (share <= BRIEFLY and angle <= limit + PEAK):
         return []
     percent = 100 * request.cutting.stepover / request.tool_diameter
     hint = "Take a lower feed or a smaller SlotBite if that is too heavy for the cutter."
