@@ -100,6 +100,7 @@ class _Shapes:
         self._floor, self._walls = floor, walls
         self._flats = sorted(walls.ledges(floor.z, top + ABOVE), reverse=True)
         self._rim = self._open_from = float("inf")
+        self._beside: dict[float, Polygon] = {}
         faces = [(o.z, o.face) for o in others if o.part.isSame(floor.part)]
         for z, place in self._flats:
             taken = any(abs(oz - z) < SAME_HEIGHT and _has(face, place, z) for oz, face in faces)
@@ -110,8 +111,16 @@ class _Shapes:
         """Return the pocket at Z `z`."""
         if z >= self._rim - ABOVE:
             z = self._rim - 2 * ABOVE
-        below = (flat - 2 * ABOVE for flat, _ in self._flats if flat - ABOVE < z)
-        for height in (z, *below):
+        free = self._walls.free(z)
+        if free is not None:
+            return free
+        if z not in self._beside:
+            self._beside[z] = self._walls.within(z, Polygon(self._below(z).exterior))
+        return self._beside[z]
+
+    def _below(self, z: float) -> Polygon:
+        """Return the pocket below Z `z`, as high as its walls go around."""
+        for height in (flat - 2 * ABOVE for flat, _ in self._flats if flat - ABOVE < z):
             free = self._walls.free(height)
             if free is not None:
                 return free

@@ -135,6 +135,25 @@ class Walls:
             self._free[z] = self._find_free(z)
         return self._free[z]
 
+    def within(self, z: float, outline: Polygon) -> Polygon:
+        """Return what is free at Z `z` and above, where no wall goes around.
+
+        That is so beside a hole through a wall, and above the lowest place of the rim. What is
+        free within an outline that has walls is taken, and what is free beside it, above a rib
+        that ends at a wall, and does not lead out.
+        """
+        outside, free = self._not_solid(z)
+        beside = shapely.difference(free, outline)
+        beside = shapely.buffer(shapely.buffer(beside, -ABOVE), ABOVE, join_style="mitre")
+        near = shapely.buffer(outline, 2 * ABOVE)
+        parts = [
+            part
+            for part in polygons_of(beside)
+            if part.intersects(near) and not part.intersects(outside.exterior)
+        ]
+        inside = shapely.intersection(free, outline)
+        return self._uncovered(z, shapely.union_all([inside, *parts]), outline)
+
     def ledges(self, low: float, high: float) -> list[tuple[float, tuple[float, float]]]:
         """Return Z and a place (x, y) on each level face that looks up between two heights."""
         found = []
@@ -231,6 +250,10 @@ class Walls:
             if around is None:
                 return None
             free = around
+        return self._uncovered(z, free, core)
+
+    def _uncovered(self, z: float, free: shapely.Geometry, core: Polygon) -> Polygon:
+        """Return what of free ground nothing hangs over, in one polygon."""
         above = (self._overhang(f, free) for f in over(self._floor.solid.Faces, free, z))
         free = shapely.difference(free, shadow(above, z))
         if self._use_outline:
@@ -291,12 +314,16 @@ class Walls:
         self._overhangs[key] = area, triangles
         return triangles
 
-    def _fenced(self, z: float, core: Polygon) -> shapely.Geometry | None:
-        """Return what is free up to the fence at the floor's open sides, None if it leaks."""
-        solid = solid_section(self._floor.solid, z, self._sag)
+    def _not_solid(self, z: float) -> tuple[Polygon, shapely.Geometry]:
+        """Return a box around the solid, and what of that is no solid at Z `z`."""
         box = self._floor.solid.BoundBox
         outside = shapely.box(box.XMin, box.YMin, box.XMax, box.YMax).buffer(FENCE)
-        free = shapely.difference(outside, solid)
+        solid = solid_section(self._floor.solid, z, self._sag)
+        return outside, shapely.difference(outside, solid)
+
+    def _fenced(self, z: float, core: Polygon) -> shapely.Geometry | None:
+        """Return what is free up to the fence at the floor's open sides, None if it leaks."""
+        outside, free = self._not_solid(z)
         # beyond the ends of an open side the fence runs on to the first wall
         fence = shapely.difference(self._fence, self._outline.buffer(-ABOVE))
         posts = shapely.intersection(fence, free).buffer(ABOVE)
