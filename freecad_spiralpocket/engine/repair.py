@@ -14,7 +14,6 @@ left is refused or told by the planner.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -25,7 +24,7 @@ from .floor import FloorPath, Pass
 from .growth.front_rules import MEETING
 from .links.passes import with_leads
 from .model import PocketRequest, Report, Strategy
-from .proof.findings import TOLD_UNCUT, TOUCH, gouge_allowed
+from .proof.findings import TOUCH, gouge_allowed, uncut_allowed
 from .rendering import Cut
 from .toolpath import Role, Toolpath
 
@@ -251,7 +250,6 @@ def _left(report: Report, request: PocketRequest) -> float:
 
     Without a closing lap the corners are left on purpose.
     """
-    disc = math.pi * request.cutter_radius**2
-    if not request.cutting.finishing_lap or report.uncut_area <= TOLD_UNCUT * disc:
+    if not request.cutting.finishing_lap or report.uncut_area <= uncut_allowed(request):
         return 0.0
     return report.uncut_area

@@ -15,7 +15,19 @@ from ..beside.crew import plan_together
 from ..engine import copies
 from ..engine.errors import SpiralPocketError, named
 from ..engine.model import Notice, Plan, PocketRequest, Progress
-from . import commands, open_sides, remarks, request, rest, seams, sections, selection, walls
+from ..engine.proof.findings import uncut_allowed
+from . import (
+    commands,
+    open_sides,
+    remarks,
+    request,
+    rest,
+    seams,
+    sections,
+    selection,
+    shared_ground,
+    walls,
+)
 from .compat import parent_job
 from .known import Known
 from .level import SAME_HEIGHT
@@ -45,12 +57,15 @@ class Found(NamedTuple):
         How much of the floor is kept off for what hangs over it [mm2].
     is_shared : bool
         Whether other parts of the job stand in the pocket or over it.
+    whole : PocketRequest or None
+        Of which `wanted` is what pockets before it leave.
     """
 
     floor: selection.Floor | None
     wanted: PocketRequest | SpiralPocketError
     kept_off: float = 0.0
     is_shared: bool = False
+    whole: PocketRequest | None = None
 
 
 class Pockets:
@@ -101,7 +116,21 @@ class Pockets:
                 found.append(self._request(floor, sound))
             except SpiralPocketError as error:
                 found.append(Found(None, error))
-        return found
+        return self._without_shared_ground(found)
+
+    def _without_shared_ground(self, found: Sequence[Found]) -> list[Found]:
+        """Return what was found in the order in which it is cut, none where others have been."""
+        places = [i for i, each in enumerate(found) if each.whole is not None]
+        whole = [found[i].whole for i in places]
+        order = shared_ground.order(whole)
+        turned = dict(zip(places, (places[i] for i in order), strict=True))
+        numbers = [turned.get(i, i) for i in range(len(found))]
+        self._selected = [self._selected[i] for i in numbers]
+        wanted = iter(shared_ground.lowered([whole[i] for i in order]))
+        return [
+            each if each.whole is None else each._replace(wanted=next(wanted))
+            for each in (found[i] for i in numbers)
+        ]
 
     def plan(self, progress: Progress | None = None, planner: Planner | None = None) -> None:
         """Plan all pockets, by default with a process for every further core.
@@ -112,15 +141,26 @@ class Pockets:
             If `progress` says so.
         """
         found = self.requests()
-        wanted = [each.wanted for each in found if isinstance(each.wanted, PocketRequest)]
-        outcomes = iter(self._outcomes(wanted, progress, planner or plan_together))
+        whole = [each.whole for each in found if each.whole is not None]
+        outcomes = iter(self._all_outcomes(whole, progress, planner or plan_together))
         for each, label in zip(found, self.labels, strict=True):
-            sound = isinstance(each.wanted, PocketRequest)
-            outcome = next(outcomes) if sound else each.wanted
+            outcome = each.wanted if each.whole is None else next(outcomes)
             if isinstance(outcome, SpiralPocketError):
                 self._failures.append((label, outcome))
             else:
                 self._take(each, outcome)
+
+    def _all_outcomes(
+        self, whole: Sequence[PocketRequest], progress: Progress | None, planner: Planner
+    ) -> list[Plan | SpiralPocketError]:
+        """Return what comes of each pocket; where one leaves ground the others begin at the top."""
+        failed: set[int] = set()
+        while True:
+            wanted = shared_ground.lowered(whole, failed)
+            outcomes = self._outcomes(wanted, progress, planner)
+            failed |= {i for i, outcome in enumerate(outcomes) if not _is_cleared(outcome)}
+            if shared_ground.lowered(whole, failed) == wanted:
+                return outcomes
 
     def _outcomes(
         self, wanted: Sequence[PocketRequest], progress: Progress | None, planner: Planner
@@ -129,7 +169,9 @@ class Pockets:
         firsts = copies.originals(wanted)
         known: dict[int, Any] = {i: self._taken_over(wanted[i]) for i in dict.fromkeys(firsts)}
         missing = [i for i, plan in known.items() if plan is None]
-        known |= zip(missing, planner([wanted[i] for i in missing], progress), strict=True)
+        planned = planner([wanted[i] for i in missing], progress)
+        known |= zip(missing, planned, strict=True)
+        self._earlier += [plan for plan in planned if isinstance(plan, Plan)]
         return [
             known[first] if first == i else copies.moved(known[first], wanted[first], wanted[i])
             for i, first in enumerate(firsts)
@@ -254,7 +296,7 @@ class Pockets:
         kept_off = remarks.overhung(above.outline, fitted.pocket)
         if self._obj.UseRestMachining:
             fitted = rest.rest_of(fitted, self._obj, self._known)
-        return Found(floor, fitted, kept_off, above.are_others_inside)
+        return Found(floor, fitted, kept_off, above.are_others_inside, fitted)
 
     def _open_sides(self, floor: selection.Floor, sag: float) -> open_sides.OpenSides | None:
         """Return the floor's open sides if the cutter goes beyond them, else None."""
@@ -290,8 +332,8 @@ class Pockets:
 
     def _remarks_on(self, each: Found) -> list[Notice]:
         """Return what is to be told of one pocket, whatever comes of its plan."""
-        floor, wanted, kept_off, is_shared = each
-        if floor is None or not isinstance(wanted, PocketRequest):
+        floor, _, kept_off, is_shared, wanted = each
+        if floor is None or wanted is None:
             return []
         found = remarks.depths(wanted, floor.z, self._obj)
         if floor.is_window and floor.z > floor.part.BoundBox.ZMin + SAME_HEIGHT:
@@ -313,3 +355,8 @@ class Pockets:
         if len(self._selected) == 1:
             return notice
         return Notice(f"{floor.label}: {notice.message}", notice.hint, notice.place)
+
+
+def _is_cleared(outcome: Plan | SpiralPocketError) -> bool:
+    """Return whether a pocket is cut as far as the cutter reaches."""
+    return isinstance(outcome, Plan) and outcome.report.uncut_area <= uncut_allowed(outcome.request)

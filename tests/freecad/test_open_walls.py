@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Islands lower than the wall are cut to their tops where no wall goes all around at that height."""
+"""Islands lower than the wall are cut to their tops where no wall goes around at that height."""
 
 import Part
 import pytest

@@ -53,13 +53,18 @@ def tell_too_deep(depth: float, request: PocketRequest) -> list[Notice]:
     ]
 
 
+def uncut_allowed(request: PocketRequest) -> float:
+    """Return how much ground may stay uncut without being told [mm2]."""
+    return float(TOLD_UNCUT * np.pi * request.cutter_radius**2)
+
+
 def tell_uncut(
     uncut: MultiPolygon, missed: shapely.Geometry, request: PocketRequest
 ) -> list[Notice]:
     """Tell how much of the floor stays uncut, but for what is `missed`, that the cutter reaches."""
     parts = polygons_of(shapely.difference(uncut, missed))
     area = sum(part.area for part in parts)
-    if area <= TOLD_UNCUT * np.pi * request.cutter_radius**2:
+    if area <= uncut_allowed(request):
         return []
     largest = parts[0].representative_point()
     return [
