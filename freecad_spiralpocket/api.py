@@ -225,8 +225,9 @@ def _check_values(values: dict[str, Any]) -> None:
         percent = 0.0
     if not (1 <= percent <= 100 and percent == int(percent)):
         raise RequestError(
-            f"A step-over of {stepover} percent cannot be cut.",
-            "Give StepOver as a whole number from 1 to 100, percent of the cutter's diameter.",
+            f"StepOver cannot be {stepover}.",
+            "Give a whole number from 1 to 100, percent of the cutter's diameter; or an angle to "
+            "MaxEngagement.",
         )
 
 

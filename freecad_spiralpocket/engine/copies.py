@@ -96,7 +96,7 @@ def moved(
     """
     way = displacement(original, request)
     if way is None:
-        raise ValueError("This pocket is no copy of the other.")
+        raise ValueError("the pockets are no copies of each other")
     if isinstance(outcome, SpiralPocketError):
         return outcome.moved(way.place)
     path = outcome.toolpath

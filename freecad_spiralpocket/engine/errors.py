@@ -66,6 +66,10 @@ class SpiralPocketError(Exception):
         """Return message and hint as one text."""
         return tell(self._message, self.hint, self.place)
 
+    def __repr__(self) -> str:
+        """Return the class and that text."""
+        return f"{type(self).__name__}({str(self)!r})"
+
 
 class RequestError(SpiralPocketError):
     """A value that was asked for makes no sense: a step-over of 0, depths upside down."""

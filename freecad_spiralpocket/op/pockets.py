@@ -213,7 +213,9 @@ class Pockets:
             )
         depth = max((w.axial_depth for w in wanted), default=0.0)
         step = max((w.cutting.stepover for w in wanted), default=0.0)
-        tool = remarks.tool(self._obj.ToolController, depth, step)
+        top = parent_job(self._obj).Stock.Shape.BoundBox.ZMax
+        reach = max((top - w.floor for w in wanted), default=0.0)
+        tool = remarks.tool(self._obj.ToolController, depth, reach, step)
         return [*feeds, *tool, *self._start_point_notices(wanted)]
 
     def commands(self) -> list[Any]:
@@ -335,7 +337,7 @@ class Pockets:
         floor, _, kept_off, is_shared, wanted = each
         if floor is None or wanted is None:
             return []
-        found = remarks.depths(wanted, floor.z, self._obj)
+        found = remarks.setup(wanted, floor.z, self._obj)
         if floor.is_window and floor.z > floor.part.BoundBox.ZMin + SAME_HEIGHT:
             found.append(remarks.ends_higher(floor.z, floor.part.BoundBox.ZMin, wanted.floor))
         if floor.goes_on:

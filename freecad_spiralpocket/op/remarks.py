@@ -8,7 +8,8 @@ from typing import Any
 import shapely
 from shapely import Polygon
 
-from ..engine.model import Notice, PocketRequest
+from ..engine.errors import told_area
+from ..engine.model import Heights, Notice, PocketRequest
 from .compat import flat_end, parent_job, tool_name, tool_shape
 from .level import SAME_HEIGHT
 from .rest import operations_before
@@ -19,10 +20,12 @@ from .tools import BULL_NOSES, ROUND_TOOLS
 LEAST_SHARE = 0.001
 #: A smaller part of the floor under leaning walls is not told [mm2], nor a thinner one [mm].
 TOLD_OVERHANG, FILM = 0.5, 0.05
+#: A smaller part of a pocket beside the stock is not told [mm2].
+TOLD_BESIDE = 0.5
 
 
-def depths(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
-    """Tell of cuts below the selected floor, into walls, and of stock above the start depth.
+def setup(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
+    """Tell of cuts below the selected floor, into walls, and of stock that is not where it should.
 
     Parameters
     ----------
@@ -36,7 +39,8 @@ def depths(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
     found = [
         _below(floor - wanted.floor, stock.ZMin - wanted.floor),
         _into_walls(-wanted.cutting.stock_to_leave),
-        _above(wanted.heights.start_depth, stock.ZMax, obj),
+        _beside(wanted, shapely.box(stock.XMin, stock.YMin, stock.XMax, stock.YMax)),
+        *_above(wanted.heights, stock.ZMax, obj),
     ]
     return [notice for notice in found if notice is not None]
 
@@ -73,31 +77,59 @@ def _into_walls(into: float) -> Notice | None:
     )
 
 
-def _above(start: float, stock: float, obj: Any) -> Notice | None:
-    """Tell how far the stock's top is above the start depth, both Z [mm].
+def _beside(wanted: PocketRequest, stock: Polygon) -> Notice | None:
+    """Tell how much of a pocket lies beside the stock, given as a box."""
+    own = wanted.pocket if wanted.beyond is None else wanted.pocket.difference(wanted.beyond)
+    beside = own.difference(stock)
+    if beside.area < TOLD_BESIDE:
+        return None
+    hint = "Look whether the stock is where it should be."
+    if beside.area > own.area - TOLD_BESIDE:
+        return Notice("The pocket lies beside the stock.", hint)
+    at = beside.representative_point()
+    message = f"{told_area(beside.area)} mm2 of the pocket lie beside the stock, at {{at}}."
+    return Notice(message, hint, (at.x, at.y))
+
+
+def _above(heights: Heights, stock: float, obj: Any) -> list[Notice]:
+    """Tell how far the stock's top, its Z, is above where the cutter begins or moves over.
 
     Not where an operation before this one has been there.
     """
-    if stock - start <= SAME_HEIGHT:
-        return None
+    start, over = heights.start_depth, min(heights.safe, heights.clearance)
+    if stock - min(start, over) <= SAME_HEIGHT:
+        return []
     lowest = min((o.Path.BoundBox.ZMin for o in operations_before(obj)), default=stock)
     if lowest <= start + SAME_HEIGHT:
-        return None
-    return Notice(
-        f"The stock reaches {stock - start:.3g} mm above the start depth; the cutter goes down "
-        "through that without ramping.",
-        "Raise StartDepth to the top of the stock, or clear it with an operation before.",
-    )
+        return []
+    found = []
+    if stock - start > SAME_HEIGHT:
+        found.append(
+            Notice(
+                f"The stock reaches {stock - start:.3g} mm above the start depth; the cutter goes "
+                "down through that without ramping.",
+                "Raise StartDepth to the top of the stock, or clear it with an operation before.",
+            )
+        )
+    if stock - over > SAME_HEIGHT:
+        found.append(
+            Notice(
+                f"The stock reaches {stock - over:.3g} mm above the height at which rapids go over "
+                "it.",
+                "Raise SafeHeight and ClearanceHeight above the stock.",
+            )
+        )
+    return found
 
 
-def tool(controller: Any, depth: float, stepover: float) -> list[Notice]:
-    """Tell what a tool's shape leaves, of a cutting edge that is too short, and of the spindle.
+def tool(controller: Any, depth: float, reach: float, stepover: float) -> list[Notice]:
+    """Tell what a tool's shape leaves, of a tool that is too short, and of the spindle.
 
     Parameters
     ----------
     controller : object
-    depth, stepover : float
-        Of the deepest level and the widest step [mm].
+    depth, reach, stepover : float
+        Of the deepest level, from the stock's top to the floor, and of the widest step [mm].
     """
     mill = controller.Proxy.getTool(controller)
     found = _shape(mill, stepover)
@@ -107,6 +139,15 @@ def tool(controller: Any, depth: float, stepover: float) -> list[Notice]:
             Notice(
                 f"Levels are {depth:.3g} mm deep, the tool's cutting edge is {length:.3g} mm long.",
                 "Lower StepDown, or take a longer tool.",
+            )
+        )
+    whole = float(getattr(mill, "Length", None) or 0.0)
+    if 0 < whole < reach - SAME_HEIGHT:
+        found.append(
+            Notice(
+                f"The cutter goes {reach:.3g} mm below the top of the stock, the tool is "
+                f"{whole:.3g} mm long.",
+                "Take a longer tool; its holder would strike the part.",
             )
         )
     if controller.SpindleSpeed <= 0:

@@ -903,6 +903,10 @@
         <translation>StockToLeave verringern.</translation>
     </message>
     <message>
+        <source>Lower Tolerance if the wall must be truer.</source>
+        <translation>Verringere Tolerance, wenn die Wand genauer sein muss.</translation>
+    </message>
+    <message>
         <source>Lower ZStockToLeave.</source>
         <translation>ZStockToLeave verringern.</translation>
     </message>
@@ -965,6 +969,14 @@
     <message>
         <source>Raise FinalDepth or ZStockToLeave if that is not meant.</source>
         <translation>FinalDepth oder ZStockToLeave anheben, wenn das nicht gemeint ist.</translation>
+    </message>
+    <message>
+        <source>Raise HelixDiameterLimit.</source>
+        <translation>Erhöhe HelixDiameterLimit.</translation>
+    </message>
+    <message>
+        <source>Raise SafeHeight and ClearanceHeight above the stock.</source>
+        <translation>Lege SafeHeight und ClearanceHeight über das Rohteil.</translation>
     </message>
     <message>
         <source>Raise SlotBite, or set it to 0 to have it found.</source>
@@ -1139,16 +1151,16 @@
         <translation>Vom Benutzer gestoppt.</translation>
     </message>
     <message>
-        <source>Take a cutter below {0} mm, or raise HelixDiameterLimit if it is set.</source>
-        <translation>Einen Fräser unter {0} mm nehmen oder HelixDiameterLimit erhöhen, falls gesetzt.</translation>
-    </message>
-    <message>
         <source>Take a cutter below {0} mm.</source>
         <translation>Einen Fräser unter {0} mm nehmen.</translation>
     </message>
     <message>
         <source>Take a larger step-over or the strategy Automatic.</source>
         <translation>Eine größere seitliche Zustellung oder die Strategie Automatisch nehmen.</translation>
+    </message>
+    <message>
+        <source>Take a longer tool; its holder would strike the part.</source>
+        <translation>Nimm ein längeres Werkzeug; seine Aufnahme würde das Teil treffen.</translation>
     </message>
     <message>
         <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
@@ -1161,6 +1173,10 @@
     <message>
         <source>Take a smaller cutter.</source>
         <translation>Einen kleineren Fräser nehmen.</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter; a hole as wide as the cutter is one for FreeCAD's Drilling.</source>
+        <translation>Nimm einen kleineren Fräser; ein Loch so weit wie der Fräser ist etwas für FreeCADs Bohren.</translation>
     </message>
     <message>
         <source>Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.</source>
@@ -1193,6 +1209,10 @@
     <message>
         <source>The cutter goes {0} mm below the selected floor.</source>
         <translation>Der Fräser geht {0} mm unter den gewählten Boden.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the top of the stock, the tool is {1} mm long.</source>
+        <translation>Der Fräser geht {0} mm unter die Oberseite des Rohteils, das Werkzeug ist {1} mm lang.</translation>
     </message>
     <message>
         <source>The cutter goes {0} mm into the walls.</source>
@@ -1319,6 +1339,10 @@
         <translation>Die Tasche ist mehr als {0} seitliche Zustellungen breit.</translation>
     </message>
     <message>
+        <source>The pocket is no wider than the {0} mm cutter{1}, at {at}.</source>
+        <translation>Die Tasche ist nicht weiter als der {0}-mm-Fräser{1}, bei {at}.</translation>
+    </message>
+    <message>
         <source>The pocket is open at a side; the cutter runs out of it there.</source>
         <translation>Die Tasche ist an einer Seite offen; dort läuft der Fräser aus ihr hinaus.</translation>
     </message>
@@ -1329,6 +1353,10 @@
     <message>
         <source>The pocket is too narrow at {at} for Isotherm: no isotherm leads through.</source>
         <translation>Die Tasche ist bei {at} für Isothermen zu eng: keine Isotherme führt hindurch.</translation>
+    </message>
+    <message>
+        <source>The pocket lies beside the stock.</source>
+        <translation>Die Tasche liegt neben dem Rohteil.</translation>
     </message>
     <message>
         <source>The pocket's outline has points at infinity.</source>
@@ -1375,6 +1403,10 @@
         <translation>Der Startpunkt ist kein Ort.</translation>
     </message>
     <message>
+        <source>The stock reaches {0} mm above the height at which rapids go over it.</source>
+        <translation>Das Rohteil reicht {0} mm über die Höhe, in der Eilgänge darüber gehen.</translation>
+    </message>
+    <message>
         <source>The stock reaches {0} mm above the start depth; the cutter goes down through that without ramping.</source>
         <translation>Das Rohteil reicht {0} mm über die Starttiefe; der Fräser geht dort ohne Rampe hindurch.</translation>
     </message>
@@ -1413,10 +1445,6 @@
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
         <translation>Der {0}-mm-Fräser passt in die Tasche, hat aber bei {at} keinen Platz für seine Helix (Kreis von {1} mm).</translation>
-    </message>
-    <message>
-        <source>The {0} mm cutter has no room to move in the pocket: it is {1} mm wide at its widest, at {at}.</source>
-        <translation>Der {0}-mm-Fräser hat in der Tasche keinen Platz, sich zu bewegen: An der breitesten Stelle, bei {at}, ist sie {1} mm breit.</translation>
     </message>
     <message>
         <source>There is no machine '{0}'.</source>
@@ -1549,6 +1577,10 @@
     <message>
         <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>
         <translation>{0} mm2 des Bodens bleiben stehen, das größte Stück bei {at}.</translation>
+    </message>
+    <message>
+        <source>{0} mm2 of the pocket lie beside the stock, at {at}.</source>
+        <translation>{0} mm2 der Tasche liegen neben dem Rohteil, bei {at}.</translation>
     </message>
 </context>
 <context>

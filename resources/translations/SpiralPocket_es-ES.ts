@@ -903,6 +903,10 @@
         <translation>Reduzca StockToLeave.</translation>
     </message>
     <message>
+        <source>Lower Tolerance if the wall must be truer.</source>
+        <translation>Reduzca Tolerance si la pared debe ser más exacta.</translation>
+    </message>
+    <message>
         <source>Lower ZStockToLeave.</source>
         <translation>Reduzca ZStockToLeave.</translation>
     </message>
@@ -965,6 +969,14 @@
     <message>
         <source>Raise FinalDepth or ZStockToLeave if that is not meant.</source>
         <translation>Suba FinalDepth o ZStockToLeave si no es lo que se quiere.</translation>
+    </message>
+    <message>
+        <source>Raise HelixDiameterLimit.</source>
+        <translation>Aumente HelixDiameterLimit.</translation>
+    </message>
+    <message>
+        <source>Raise SafeHeight and ClearanceHeight above the stock.</source>
+        <translation>Suba SafeHeight y ClearanceHeight por encima del bruto.</translation>
     </message>
     <message>
         <source>Raise SlotBite, or set it to 0 to have it found.</source>
@@ -1139,16 +1151,16 @@
         <translation>Detenido por el usuario.</translation>
     </message>
     <message>
-        <source>Take a cutter below {0} mm, or raise HelixDiameterLimit if it is set.</source>
-        <translation>Tome una fresa de menos de {0} mm o aumente HelixDiameterLimit si está puesto.</translation>
-    </message>
-    <message>
         <source>Take a cutter below {0} mm.</source>
         <translation>Tome una fresa de menos de {0} mm.</translation>
     </message>
     <message>
         <source>Take a larger step-over or the strategy Automatic.</source>
         <translation>Tome un paso lateral mayor o la estrategia Automático.</translation>
+    </message>
+    <message>
+        <source>Take a longer tool; its holder would strike the part.</source>
+        <translation>Tome una herramienta más larga; su portaherramientas chocaría con la pieza.</translation>
     </message>
     <message>
         <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
@@ -1161,6 +1173,10 @@
     <message>
         <source>Take a smaller cutter.</source>
         <translation>Tome una fresa menor.</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter; a hole as wide as the cutter is one for FreeCAD's Drilling.</source>
+        <translation>Tome una fresa más pequeña; un agujero tan ancho como la fresa es cosa del Taladrado de FreeCAD.</translation>
     </message>
     <message>
         <source>Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.</source>
@@ -1193,6 +1209,10 @@
     <message>
         <source>The cutter goes {0} mm below the selected floor.</source>
         <translation>La fresa baja {0} mm por debajo del fondo elegido.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the top of the stock, the tool is {1} mm long.</source>
+        <translation>La fresa baja {0} mm por debajo de la cara superior del bruto, la herramienta mide {1} mm.</translation>
     </message>
     <message>
         <source>The cutter goes {0} mm into the walls.</source>
@@ -1319,6 +1339,10 @@
         <translation>La cajera mide más de {0} pasos de ancho.</translation>
     </message>
     <message>
+        <source>The pocket is no wider than the {0} mm cutter{1}, at {at}.</source>
+        <translation>La cajera no es más ancha que la fresa de {0} mm{1}, en {at}.</translation>
+    </message>
+    <message>
         <source>The pocket is open at a side; the cutter runs out of it there.</source>
         <translation>La cajera está abierta por un lado; la fresa sale de ella por allí.</translation>
     </message>
@@ -1329,6 +1353,10 @@
     <message>
         <source>The pocket is too narrow at {at} for Isotherm: no isotherm leads through.</source>
         <translation>La cajera es demasiado estrecha en {at} para Isotermas: ninguna isoterma pasa.</translation>
+    </message>
+    <message>
+        <source>The pocket lies beside the stock.</source>
+        <translation>La cajera está al lado del bruto.</translation>
     </message>
     <message>
         <source>The pocket's outline has points at infinity.</source>
@@ -1375,6 +1403,10 @@
         <translation>El punto de inicio no es un lugar.</translation>
     </message>
     <message>
+        <source>The stock reaches {0} mm above the height at which rapids go over it.</source>
+        <translation>El bruto sobresale {0} mm de la altura de los movimientos rápidos.</translation>
+    </message>
+    <message>
         <source>The stock reaches {0} mm above the start depth; the cutter goes down through that without ramping.</source>
         <translation>El material sobresale {0} mm de la profundidad inicial; la fresa lo atraviesa sin rampa.</translation>
     </message>
@@ -1413,10 +1445,6 @@
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
         <translation>La fresa de {0} mm cabe en la cajera, pero no tiene sitio para su hélice en {at} (círculo de {1} mm).</translation>
-    </message>
-    <message>
-        <source>The {0} mm cutter has no room to move in the pocket: it is {1} mm wide at its widest, at {at}.</source>
-        <translation>La fresa de {0} mm no tiene sitio para moverse en la cajera: mide {1} mm en su parte más ancha, en {at}.</translation>
     </message>
     <message>
         <source>There is no machine '{0}'.</source>
@@ -1549,6 +1577,10 @@
     <message>
         <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>
         <translation>{0} mm2 del fondo quedan sin cortar, la mayor parte en {at}.</translation>
+    </message>
+    <message>
+        <source>{0} mm2 of the pocket lie beside the stock, at {at}.</source>
+        <translation>{0} mm2 de la cajera están al lado del bruto, en {at}.</translation>
     </message>
 </context>
 <context>

@@ -903,6 +903,10 @@
         <translation>Diminuez StockToLeave.</translation>
     </message>
     <message>
+        <source>Lower Tolerance if the wall must be truer.</source>
+        <translation>Réduisez Tolerance si la paroi doit être plus juste.</translation>
+    </message>
+    <message>
         <source>Lower ZStockToLeave.</source>
         <translation>Diminuez ZStockToLeave.</translation>
     </message>
@@ -965,6 +969,14 @@
     <message>
         <source>Raise FinalDepth or ZStockToLeave if that is not meant.</source>
         <translation>Relevez FinalDepth ou ZStockToLeave si ce n'est pas voulu.</translation>
+    </message>
+    <message>
+        <source>Raise HelixDiameterLimit.</source>
+        <translation>Augmentez HelixDiameterLimit.</translation>
+    </message>
+    <message>
+        <source>Raise SafeHeight and ClearanceHeight above the stock.</source>
+        <translation>Relevez SafeHeight et ClearanceHeight au-dessus du brut.</translation>
     </message>
     <message>
         <source>Raise SlotBite, or set it to 0 to have it found.</source>
@@ -1139,16 +1151,16 @@
         <translation>Arrêté par l'utilisateur.</translation>
     </message>
     <message>
-        <source>Take a cutter below {0} mm, or raise HelixDiameterLimit if it is set.</source>
-        <translation>Prenez une fraise de moins de {0} mm, ou augmentez HelixDiameterLimit s'il est réglé.</translation>
-    </message>
-    <message>
         <source>Take a cutter below {0} mm.</source>
         <translation>Prenez une fraise de moins de {0} mm.</translation>
     </message>
     <message>
         <source>Take a larger step-over or the strategy Automatic.</source>
         <translation>Prenez un pas plus grand ou la stratégie Automatique.</translation>
+    </message>
+    <message>
+        <source>Take a longer tool; its holder would strike the part.</source>
+        <translation>Prenez un outil plus long ; son porte-outil heurterait la pièce.</translation>
     </message>
     <message>
         <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
@@ -1161,6 +1173,10 @@
     <message>
         <source>Take a smaller cutter.</source>
         <translation>Prenez une fraise plus petite.</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter; a hole as wide as the cutter is one for FreeCAD's Drilling.</source>
+        <translation>Prenez une fraise plus petite ; un trou aussi large que la fraise relève du Perçage de FreeCAD.</translation>
     </message>
     <message>
         <source>Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.</source>
@@ -1193,6 +1209,10 @@
     <message>
         <source>The cutter goes {0} mm below the selected floor.</source>
         <translation>La fraise descend {0} mm sous le fond choisi.</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the top of the stock, the tool is {1} mm long.</source>
+        <translation>La fraise descend à {0} mm sous le dessus du brut, l'outil a {1} mm de long.</translation>
     </message>
     <message>
         <source>The cutter goes {0} mm into the walls.</source>
@@ -1319,6 +1339,10 @@
         <translation>La poche fait plus de {0} pas de large.</translation>
     </message>
     <message>
+        <source>The pocket is no wider than the {0} mm cutter{1}, at {at}.</source>
+        <translation>La poche n'est pas plus large que la fraise de {0} mm{1}, en {at}.</translation>
+    </message>
+    <message>
         <source>The pocket is open at a side; the cutter runs out of it there.</source>
         <translation>La poche est ouverte d'un côté ; la fraise en sort par là.</translation>
     </message>
@@ -1329,6 +1353,10 @@
     <message>
         <source>The pocket is too narrow at {at} for Isotherm: no isotherm leads through.</source>
         <translation>La poche est trop étroite en {at} pour Isothermes : aucune isotherme n'y passe.</translation>
+    </message>
+    <message>
+        <source>The pocket lies beside the stock.</source>
+        <translation>La poche se trouve à côté du brut.</translation>
     </message>
     <message>
         <source>The pocket's outline has points at infinity.</source>
@@ -1375,6 +1403,10 @@
         <translation>Le point de départ n'est pas un lieu.</translation>
     </message>
     <message>
+        <source>The stock reaches {0} mm above the height at which rapids go over it.</source>
+        <translation>Le brut dépasse de {0} mm la hauteur des déplacements rapides.</translation>
+    </message>
+    <message>
         <source>The stock reaches {0} mm above the start depth; the cutter goes down through that without ramping.</source>
         <translation>Le brut dépasse de {0} mm la profondeur de départ ; la fraise le traverse sans rampe.</translation>
     </message>
@@ -1413,10 +1445,6 @@
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
         <translation>La fraise de {0} mm entre dans la poche, mais n'a pas la place pour son hélice en {at} (cercle de {1} mm).</translation>
-    </message>
-    <message>
-        <source>The {0} mm cutter has no room to move in the pocket: it is {1} mm wide at its widest, at {at}.</source>
-        <translation>La fraise de {0} mm n'a pas la place de bouger dans la poche : elle mesure {1} mm à l'endroit le plus large, à {at}.</translation>
     </message>
     <message>
         <source>There is no machine '{0}'.</source>
@@ -1549,6 +1577,10 @@
     <message>
         <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>
         <translation>{0} mm2 du fond restent non usinés, la plus grande partie en {at}.</translation>
+    </message>
+    <message>
+        <source>{0} mm2 of the pocket lie beside the stock, at {at}.</source>
+        <translation>{0} mm2 de la poche se trouvent à côté du brut, en {at}.</translation>
     </message>
 </context>
 <context>

@@ -903,6 +903,10 @@
         <translation>减小 StockToLeave。</translation>
     </message>
     <message>
+        <source>Lower Tolerance if the wall must be truer.</source>
+        <translation>如果壁面需要更精确,请减小 Tolerance。</translation>
+    </message>
+    <message>
         <source>Lower ZStockToLeave.</source>
         <translation>减小 ZStockToLeave。</translation>
     </message>
@@ -965,6 +969,14 @@
     <message>
         <source>Raise FinalDepth or ZStockToLeave if that is not meant.</source>
         <translation>若非本意，请提高 FinalDepth 或 ZStockToLeave。</translation>
+    </message>
+    <message>
+        <source>Raise HelixDiameterLimit.</source>
+        <translation>请增大 HelixDiameterLimit。</translation>
+    </message>
+    <message>
+        <source>Raise SafeHeight and ClearanceHeight above the stock.</source>
+        <translation>请将 SafeHeight 和 ClearanceHeight 提高到毛坯之上。</translation>
     </message>
     <message>
         <source>Raise SlotBite, or set it to 0 to have it found.</source>
@@ -1139,16 +1151,16 @@
         <translation>已被用户停止。</translation>
     </message>
     <message>
-        <source>Take a cutter below {0} mm, or raise HelixDiameterLimit if it is set.</source>
-        <translation>换用小于 {0} mm 的刀具，或增大已设的 HelixDiameterLimit。</translation>
-    </message>
-    <message>
         <source>Take a cutter below {0} mm.</source>
         <translation>请用小于 {0} mm 的刀具。</translation>
     </message>
     <message>
         <source>Take a larger step-over or the strategy Automatic.</source>
         <translation>请用更大的步距或“自动”策略。</translation>
+    </message>
+    <message>
+        <source>Take a longer tool; its holder would strike the part.</source>
+        <translation>请换用更长的刀具;否则刀柄会撞到零件。</translation>
     </message>
     <message>
         <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
@@ -1161,6 +1173,10 @@
     <message>
         <source>Take a smaller cutter.</source>
         <translation>请用更小的刀具。</translation>
+    </message>
+    <message>
+        <source>Take a smaller cutter; a hole as wide as the cutter is one for FreeCAD's Drilling.</source>
+        <translation>请换用更小的铣刀;与铣刀等宽的孔应使用 FreeCAD 的钻孔。</translation>
     </message>
     <message>
         <source>Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.</source>
@@ -1193,6 +1209,10 @@
     <message>
         <source>The cutter goes {0} mm below the selected floor.</source>
         <translation>刀具低于所选底面 {0} mm。</translation>
+    </message>
+    <message>
+        <source>The cutter goes {0} mm below the top of the stock, the tool is {1} mm long.</source>
+        <translation>铣刀下到毛坯顶面以下 {0} mm,而刀具长 {1} mm。</translation>
     </message>
     <message>
         <source>The cutter goes {0} mm into the walls.</source>
@@ -1319,6 +1339,10 @@
         <translation>型腔宽度超过 {0} 个步距。</translation>
     </message>
     <message>
+        <source>The pocket is no wider than the {0} mm cutter{1}, at {at}.</source>
+        <translation>型腔不比 {0} mm 铣刀{1}宽,位于 {at}。</translation>
+    </message>
+    <message>
         <source>The pocket is open at a side; the cutter runs out of it there.</source>
         <translation>型腔有一侧开放；刀具会从那里驶出。</translation>
     </message>
@@ -1329,6 +1353,10 @@
     <message>
         <source>The pocket is too narrow at {at} for Isotherm: no isotherm leads through.</source>
         <translation>型腔在 {at} 处对“等温线”过窄：没有等温线通过。</translation>
+    </message>
+    <message>
+        <source>The pocket lies beside the stock.</source>
+        <translation>型腔位于毛坯之外。</translation>
     </message>
     <message>
         <source>The pocket's outline has points at infinity.</source>
@@ -1375,6 +1403,10 @@
         <translation>起点不是有效位置。</translation>
     </message>
     <message>
+        <source>The stock reaches {0} mm above the height at which rapids go over it.</source>
+        <translation>毛坯比快速移动的高度高出 {0} mm。</translation>
+    </message>
+    <message>
         <source>The stock reaches {0} mm above the start depth; the cutter goes down through that without ramping.</source>
         <translation>毛坯高出起始深度 {0} mm；刀具将不走斜坡直接穿过。</translation>
     </message>
@@ -1413,10 +1445,6 @@
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>
         <translation>{0} mm 刀具可进入型腔，但在 {at} 处没有螺旋下刀空间（圆 {1} mm）。</translation>
-    </message>
-    <message>
-        <source>The {0} mm cutter has no room to move in the pocket: it is {1} mm wide at its widest, at {at}.</source>
-        <translation>{0} mm 的刀具在型腔中没有移动的余地:型腔最宽处(位于 {at})为 {1} mm。</translation>
     </message>
     <message>
         <source>There is no machine '{0}'.</source>
@@ -1549,6 +1577,10 @@
     <message>
         <source>{0} mm2 of the floor stay uncut, the largest part at {at}.</source>
         <translation>底面有 {0} mm2 未切除，最大一块在 {at}。</translation>
+    </message>
+    <message>
+        <source>{0} mm2 of the pocket lie beside the stock, at {at}.</source>
+        <translation>型腔有 {0} mm2 位于毛坯之外,在 {at}。</translation>
     </message>
 </context>
 <context>

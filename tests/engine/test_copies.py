@@ -94,7 +94,7 @@ def test_the_first_of_all_copies_is_their_original():
 )
 def test_what_differs_is_no_copy(other):
     assert copies.displacement(request(HOOK), other) is None
-    with pytest.raises(ValueError, match="no copy"):
+    with pytest.raises(ValueError, match="no copies"):
         copies.moved(CutterDoesNotFitError("", ""), request(HOOK), other)
 
 

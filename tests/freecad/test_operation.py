@@ -302,7 +302,7 @@ def test_a_bull_nose_leaves_ridges_where_steps_are_wider_than_its_flat_end(has, 
     controller = SimpleNamespace(
         Proxy=SimpleNamespace(getTool=lambda _: tool), SpindleSpeed=1000, SpindleDir="Forward"
     )
-    (notice,) = remarks.tool(controller, 5.0, 2.4)
+    (notice,) = remarks.tool(controller, 5.0, 5.0, 2.4)
     assert told in str(notice)
 
 

@@ -37,6 +37,7 @@ def test_of_ordinary_depths_nothing_is_told(job):
         ({"FinalDepth": -30.0}, "below the stock"),
         ({"StockToLeave": -0.25}, "0.25 mm into the walls"),
         ({"StartDepth": -2.0}, "2 mm above the start depth"),
+        ({"StartDepth": -3.0, "SafeHeight": -1.5}, "1.5 mm above the height at which rapids go"),
     ],
 )
 def test_what_is_probably_not_meant_is_told_before_and_after(job, options, words):
@@ -56,6 +57,15 @@ def test_a_floor_below_the_stock_is_told_as_such(job):
     job.Stock.ExtZneg = -5.0
     op = cut(job)
     assert told(op, "The selected floor lies") and not told(op, "goes 0 mm")
+
+
+@pytest.mark.parametrize(
+    ("inset", "words"), [(18.0, "of the pocket lie beside the stock, at X"), (80.0, "lies beside")]
+)
+def test_a_pocket_beside_the_stock_is_told(job, inset, words):
+    assert not told(cut(job), "beside the stock")
+    job.Stock.ExtXneg, job.Stock.ExtXpos = -inset, inset
+    assert told(cut(job), words)
 
 
 def test_stock_that_an_earlier_operation_takes_is_not_told(job):
@@ -85,6 +95,11 @@ def test_a_short_edge_and_a_spindle_in_reverse_are_told(job):
     op.StepDown = 1.5
     job.Document.recompute()
     assert not told(op, "cutting edge")
+
+
+def test_a_tool_that_is_shorter_than_the_pocket_is_deep_is_told(job):
+    job.Tools.Group[0].Tool.Length = DEPTH - 1
+    assert told(cut(job), f"below the top of the stock, the tool is {DEPTH - 1:g} mm long")
 
 
 def test_a_rest_is_not_told_as_nothing():

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from shapely import Point, Polygon
 
-from ..errors import CutterDoesNotFitError
+from ..errors import CutterDoesNotFitError, Place
 from ..floor import Descent, Groove, Helix, Plunge, WayDown
 from ..model import Entry, Feeds, Floats
 from ..toolpath import Role, ToolpathBuilder
@@ -41,23 +41,32 @@ class NoRoomForHelixError(CutterDoesNotFitError):
         R, radius of the helix that there is room for, and of the cutter's center [mm].
     place : tuple of float
         (x, y) [mm].
+    is_limited : bool, optional
+        Whether the helix is kept narrower than there is room for.
     """
 
     def __init__(
-        self, cutter_radius: float, radius: float, room: float, place: tuple[float, float]
+        self,
+        cutter_radius: float,
+        radius: float,
+        room: float,
+        place: Place,
+        is_limited: bool = False,
     ) -> None:
         super().__init__(
             f"The {2 * cutter_radius:g} mm cutter fits the pocket, but has no room for its helix "
             f"at {{at}} (circle of {2 * radius:.3g} mm).",
-            f"Take a cutter below {2 * (cutter_radius + room) / (1 + NARROWEST):.3g} mm, or raise "
-            "HelixDiameterLimit if it is set.",
+            "Raise HelixDiameterLimit."
+            if is_limited
+            else f"Take a cutter below {2 * (cutter_radius + room) / (1 + NARROWEST):.3g} mm.",
             place,
         )
         self._sizes = np.array([cutter_radius, radius, room])
+        self._is_limited = is_limited
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Let it be made anew on the other side of a pipe."""
-        return type(self), (*self._sizes.tolist(), self.place)
+        return type(self), (*self._sizes.tolist(), self.place, self._is_limited)
 
     def labelled(self, label: str) -> CutterDoesNotFitError:
         """Return the error as that of the pocket with a label."""
@@ -68,7 +77,7 @@ class NoRoomForHelixError(CutterDoesNotFitError):
         assert self.place is not None
         r, radius, room = (factor * self._sizes).tolist()
         x, y = self.place
-        return NoRoomForHelixError(r, radius, room, (factor * x, factor * y))
+        return NoRoomForHelixError(r, radius, room, (factor * x, factor * y), self._is_limited)
 
 
 def fit_helix_radius(region: Polygon, center: Floats, cutter_radius: float, entry: Entry) -> float:
@@ -94,7 +103,9 @@ def fit_helix_radius(region: Polygon, center: Floats, cutter_radius: float, entr
     if entry.max_diameter > 0:
         radius = min(radius, entry.max_diameter / 2)
     if radius < NARROWEST * cutter_radius:
-        raise NoRoomForHelixError(cutter_radius, radius, room, (center[0], center[1]))
+        is_limited = room >= NARROWEST * cutter_radius
+        place = float(center[0]), float(center[1])
+        raise NoRoomForHelixError(cutter_radius, radius, room, place, is_limited)
     return radius
 
 

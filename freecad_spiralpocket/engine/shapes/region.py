@@ -20,6 +20,10 @@ from ..errors import CutterDoesNotFitError
 BUFFER_SAG, FINE_SAG = 0.001, 1 / 3000
 #: Pockets and channels wider than the cutter by less than twice this are too narrow for it, over R.
 HAIR = 0.0025
+#: A pocket is as wide as the cutter that lacks no more than this [mm]: walls of chords are nearer.
+SNUG = 0.01
+#: A pocket is a round hole whose area is no more than this, over that of the widest disc in it.
+ROUND = 1.05
 #: Chords of circles that are larger than any part are no shorter [rad]: rounding would make them 0.
 LEAST_STEP = 1e-4
 
@@ -80,27 +84,33 @@ def center_regions(pocket: Polygon, cutter_radius: float, stock: float) -> list[
     """
     inset = cutter_radius + stock
     regions = polygons_of(grow(pocket, -inset, min(BUFFER_SAG, FINE_SAG * cutter_radius)))
-    if not regions:
-        place, radius = widest_disc(pocket)
-        left = f" with {stock:g} mm of stock to leave" if stock else ""
-        raise CutterDoesNotFitError(
-            f"The {2 * cutter_radius:g} mm cutter does not fit the pocket{left}: it is "
-            f"{2 * radius:.4g} mm wide at its widest, at {{at}}.",
-            f"Take a cutter below {2 * (radius - stock):.4g} mm."
-            if radius > stock
-            else "Lower StockToLeave.",
-            place,
-        )
     parts = [part for region in regions for part in without_hairs(region, cutter_radius)]
     if not parts:
-        place, radius = widest_disc(pocket)
-        raise CutterDoesNotFitError(
-            f"The {2 * cutter_radius:g} mm cutter has no room to move in the pocket: it is "
-            f"{2 * radius:.5g} mm wide at its widest, at {{at}}.",
-            "Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.",
+        raise _too_narrow(pocket, cutter_radius, stock)
+    return parts
+
+
+def _too_narrow(pocket: Polygon, cutter_radius: float, stock: float) -> CutterDoesNotFitError:
+    """Return what is to be told of a pocket that has no place for the cutter's center."""
+    place, radius = widest_disc(pocket)
+    left = f" with {stock:g} mm of stock to leave" if stock else ""
+    if radius > cutter_radius + stock - SNUG:
+        is_hole = pocket.area < ROUND * math.pi * radius**2
+        return CutterDoesNotFitError(
+            f"The pocket is no wider than the {2 * cutter_radius:g} mm cutter{left}, at {{at}}.",
+            "Take a smaller cutter; a hole as wide as the cutter is one for FreeCAD's Drilling."
+            if is_hole
+            else "Take a smaller cutter; a slot as wide as the cutter is one for FreeCAD's Slot.",
             place,
         )
-    return parts
+    return CutterDoesNotFitError(
+        f"The {2 * cutter_radius:g} mm cutter does not fit the pocket{left}: it is "
+        f"{round(2 * radius, 2):g} mm wide at its widest, at {{at}}.",
+        f"Take a cutter below {round(2 * (radius - stock), 2):g} mm."
+        if radius > stock
+        else "Lower StockToLeave.",
+        place,
+    )
 
 
 def without_hairs(region: Polygon, radius: float) -> list[Polygon]:
