@@ -58,22 +58,23 @@ def standing_share(
     order = np.lexsort((at, rows))
     rows, at, low, high = rows[order], at[order], low[order], high[order]
     rank = _ranks(rows, at)
-    number = np.full(n, -1)
+    by_rank = np.argsort(rank, kind="stable")
+    ends = np.cumsum(np.bincount(rank)) if len(rank) else np.zeros(0, np.int64)
+    before, rest = np.arange(n), gaps
     # each sample's own heights one after the other, the lowest of all samples at once
-    for step in range(int(rank.max(initial=-1)) + 1):
-        here = np.flatnonzero(rank == step)
-        first = here[np.append(True, np.diff(rows[here]) != 0)]
-        touched = rows[first]
-        rise = at[first] - level[touched]
+    for here in np.split(by_rank, ends[:-1]) if len(ends) else []:
+        is_first = np.append(True, np.diff(rows[here]) != 0)
+        touched = rows[here[is_first]]
+        rise = at[here[is_first]] - level[touched]
         load[touched] += angle[touched] * rise
         bite[touched] += ahead[touched] * rise
-        level[touched] = at[first]
-        number[touched] = np.arange(len(touched))
-        now = np.flatnonzero((rank <= step) & (number[rows] >= 0))
-        rest = gaps.repeated(touched).without(number[rows[now]], low[now], high[now], np.pi / 2)
+        level[touched] = at[here[is_first]]
+        # who has a height of this rank had one of that before
+        rest = rest.repeated(np.searchsorted(before, touched))
+        rest = rest.without(np.cumsum(is_first) - 1, low[here], high[here], np.pi / 2)
         angle[touched] = rest.angles(len(touched))
         ahead[touched] = rest.contain(len(touched), 0.0)
-        number[touched] = -1
+        before = touched
     rise = np.maximum(ceiling - level, 0.0)
     return (load + angle * rise) / axial_depth, bite + ahead * rise
 

@@ -41,7 +41,7 @@ JUMP, HALVINGS = np.radians(3.0), 2
 #: Pieces within this many radii of the cutter center are measured first.
 NEAR = 1.0
 #: Samples that are compared with the motion above them at once.
-PORTION = 20_000
+PORTION = 5_000
 #: A cutter arrives in the solid if more than this of its whole rim is engaged [rad].
 SOLID = 0.95 * 2 * np.pi
 
