@@ -8,13 +8,14 @@ nothing is cleared yet. So of pockets one above the other the upper one goes fir
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import shapely
 from shapely import Polygon
 
-from ..engine.checks import NESTED
+from ..engine.checks import MOST_LEVELS, NESTED
 from ..engine.levels import THIN, levels_of
 from ..engine.model import PocketRequest
 
@@ -59,11 +60,21 @@ def lowered(wanted: Sequence[PocketRequest], failed: Collection[int] = ()) -> li
     found: list[PocketRequest] = []
     cleared: list[tuple[float, Polygon]] = []
     for number, request in enumerate(wanted):
+        if not _has_levels(request):
+            found.append(request)
+            continue
         found.append(_from(_cleared_to(request, cleared), request))
         # what is beyond open sides may be cut, but need not
         if number not in failed and request.beyond is None:
             cleared += _widened(request)
     return found
+
+
+def _has_levels(request: PocketRequest) -> bool:
+    """Return whether the heights of a request make sense; what does not the engine refuses."""
+    heights = request.heights
+    step, depth = heights.step_down, heights.start_depth - request.floor
+    return math.isfinite(step) and step > 0 and 0 < depth <= MOST_LEVELS * step
 
 
 def _top(request: PocketRequest) -> Polygon:

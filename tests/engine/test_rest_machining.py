@@ -15,7 +15,7 @@ from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.contact.air import intervals_in_air
 from freecad_spiralpocket.engine.contact.swept import cut_into_pieces
 from freecad_spiralpocket.engine.errors import AlreadyClearedError
-from freecad_spiralpocket.engine.model import CutMode, Strategy
+from freecad_spiralpocket.engine.model import CutMode, Cutting, Strategy
 from freecad_spiralpocket.engine.proof.coverage import polylines
 from freecad_spiralpocket.engine.toolpath import Kind
 
@@ -152,3 +152,26 @@ def test_a_rim_that_only_touches_is_whole():
 def test_links_lead_through_the_cleared_middle():
     result = plan(rest_request(POCKETS["square"], opened(POCKETS["square"], 10.0)))
     assert lifts(result) == 1
+
+
+def test_ribs_that_were_no_stock_above_are_no_air():
+    """Where a wall ends below the level that a larger cutter came from, nothing goes through it."""
+    top = box(0, 0, 114, 74)
+    posts = [Point(x, y).buffer(5) for x, y in ((50, 25), (20, 50), (90, 50))]
+    ribs = [box(28, -1, 30, 25), box(70, -1, 72, 25), box(40, 40, 80, 42)]
+    pocket = top.difference(shapely.union_all(posts + ribs))
+    rest = pocket.difference(opened(pocket, 5.0)).buffer(-0.015).buffer(0.02).intersection(pocket)
+    stock = box(*top.bounds).buffer(60, join_style="mitre").difference(top.difference(rest))
+    wanted = make_request(
+        pocket,
+        stock=stock,
+        tool_diameter=3.0,
+        cutting=Cutting(stepover=1.2),
+        strategy=Strategy.AUTOMATIC,
+    )
+    made = plan(wanted)
+    assert made.report.gouge <= 0.01 and made.report.uncut_area < 0.01
+    # nothing was repaired, and the cutter stays down: its links end within the region
+    assert not [n for n in made.report.notices if "instead of" in n.message]
+    assert lifts(made) == 1
+    assert_ways_down_are_fed(made)

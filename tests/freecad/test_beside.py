@@ -12,7 +12,7 @@ from freecad_spiralpocket.op.operation import ObjectSpiralPocket
 
 
 def test_a_process_plans_a_share(doc, monkeypatch):
-    block = parts.block(*(parts.area(parts.rectangle(16, 14, x=26 * i)) for i in range(3)))
+    block = parts.block(*(parts.area(parts.rectangle(16 + i, 14, x=26 * i)) for i in range(3)))
     part = parts.add_part(doc, block)
     job = parts.add_job(doc, part)
     begun, planned = [], []

@@ -273,7 +273,7 @@ def test_speeds_that_are_set_stay(one_pocket, tmp_path):
         (["--tool", "6", "--face", "Face1"], "Face1"),
         (["--tool", "6", "--face", "facet"], "no face Facet. Its faces are Face1 to Face"),
         (["--tool", "6", *QUICK, "--fcstd", "/proc/part.FCStd"], "Cannot write /proc"),
-        (["--tool", "6", "--set", "StepOver=inf"], "step-over of inf percent"),
+        (["--tool", "6", "--set", "StepOver=inf"], "StepOver cannot be inf"),
         (["--tool", "6", "--set", "UseStartPoint=perhaps"], "True or False"),
         (["--tool", "6", *QUICK, "--png", "part.xyz"], "Name a .png file"),
     ],

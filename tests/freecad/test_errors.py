@@ -115,7 +115,9 @@ def test_depths_upside_down(setting):
 @pytest.mark.parametrize("stepover", [0, -5, 101, 33.5])
 def test_a_step_over_that_cannot_be(setting, stepover):
     job, part, face = setting
-    refused(job, [(part, [face])], RequestError, f"step-over of {stepover}", StepOver=stepover)
+    refused(
+        job, [(part, [face])], RequestError, f"StepOver cannot be {stepover}", StepOver=stepover
+    )
 
 
 @pytest.mark.parametrize(
@@ -126,7 +128,7 @@ def test_a_step_over_that_cannot_be(setting, stepover):
         ("StepDown", 1e-6, "more than 500 levels"),
         ("SlotBite", 1e-5, "more than 500 levels"),
         ("SlotBite", -1, "SlotBite cannot be -1: it is negative"),
-        ("StepOver", True, "step-over of True"),
+        ("StepOver", True, "StepOver cannot be True"),
         ("HelixAngle", "steep", "HelixAngle cannot be 'steep': [^{}]*$"),
         ("HelixAngle", 0, "helix angle"),
         ("HelixAngle", 0.01, "more than 500 times on its way down"),

@@ -38,8 +38,9 @@ CLEAR = 0.01
 ROOM, BEFORE = 0.1, 0.5
 #: The air that counts as visited reaches so far, over R: farther than any fillet or closing.
 MARGIN = 4.0
-#: A stroke along a wall may be beyond it by this, as rounding has it [mm].
-ALONG = 0.005
+#: A stroke along a wall may be beyond it by the first, as rounding has it [mm]. Where one is cut off
+#: it ends the second beyond it: from there links are still within the region.
+ALONG, BEYOND = 0.005, 0.002
 #: From so many sides peeling is tried, the widest ones.
 TRIED = 2
 #: What is left of a stroke outside of the air is none if it is shorter than this [mm].
@@ -130,6 +131,7 @@ def strokes_in_stock(strokes: Sequence[Stroke], idle: Sequence[Polygon]) -> list
 def strokes_within(strokes: Sequence[Stroke], region: Polygon) -> list[Stroke]:
     """Return strokes without what of their ends lies in the air beside the region."""
     here = grow_coarsely(region, ALONG)
+    nearer = grow_coarsely(region, BEYOND)
     shapely.prepare(here)
     kept = []
     for stroke in strokes:
@@ -137,7 +139,7 @@ def strokes_within(strokes: Sequence[Stroke], region: Polygon) -> list[Stroke]:
         if stroke.closed or here.covers(line):
             kept.append(stroke)
             continue
-        ends = shapely.get_coordinates(shapely.intersection(line, here))
+        ends = shapely.get_coordinates(shapely.intersection(line, nearer))
         inside = shapely.line_locate_point(line, shapely.points(ends))
         if len(inside) > 1:
             part = substring(line, inside.min(), inside.max())
@@ -170,7 +172,7 @@ def _from_air(
         elsewhere = [other for other in beyond if not other.intersects(side)]
         within = oriented(largest(shapely.difference(region, shapely.union_all(elsewhere))))
         if within.intersects(side) and (asked is None or side.intersects(asked)):
-            air = shapely.difference(grow_coarsely(side, MARGIN * radius), solid)
+            air = shapely.difference(_beside(side, request), solid)
             air = shapely.difference(air, shapely.difference(within, side))
             others = [shapely.intersection(o, within) for o in sides if o is not side]
             idle = [largest(o) for o in others if not grow_coarsely(o, -ROOM * radius).is_empty]
@@ -178,6 +180,20 @@ def _from_air(
         if len(starts) == TRIED:
             break
     return starts
+
+
+def _beside(side: Polygon, request: PocketRequest) -> Region:
+    """Return the ground about a side of a region that may be air.
+
+    Not where stock is all around: ribs that end below other levels were no stock for what cleared
+    these. With open sides only beyond them.
+    """
+    reach = MARGIN * request.cutter_radius
+    ground = grow_coarsely(side, reach)
+    if request.beyond is not None:
+        ground = shapely.intersection(ground, grow_coarsely(request.beyond, reach))
+    inside = [Polygon(part.exterior) for part in polygons_of(request.stock)]
+    return shapely.difference(ground, shapely.union_all(inside))
 
 
 def _from(
