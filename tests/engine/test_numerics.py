@@ -33,6 +33,7 @@ from freecad_spiralpocket.engine.numerics.graphs import (
     spanning_tree,
 )
 from freecad_spiralpocket.engine.numerics.nearest import nearest
+from freecad_spiralpocket.engine.numerics.ragged import rows_of
 from freecad_spiralpocket.engine.shapes.polyline import locate
 from freecad_spiralpocket.engine.shapes.shaping import simplified_region
 
@@ -47,6 +48,13 @@ def test_evened_is_a_gaussian_filter(count, sigma, closed, mode):
     expected = ndimage.gaussian_filter1d(values, sigma, axis=0, mode=mode)
     np.testing.assert_allclose(evened(values, sigma, closed=closed), expected, atol=1e-12)
     np.testing.assert_allclose(evened(values[:, 0], sigma, closed=closed), expected[:, 0])
+
+
+def test_rows_follow_each_other():
+    row, place = rows_of(np.array([2, 0, 3, 1]))
+    assert row.tolist() == [0, 0, 2, 2, 2, 3]
+    assert place.tolist() == [0, 1, 0, 1, 2, 0]
+    assert all(len(part) == 0 for part in rows_of(np.zeros(0, np.intp)))
 
 
 @pytest.mark.parametrize("count", [5, 200])

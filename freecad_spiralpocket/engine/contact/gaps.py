@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ..model import Floats
 from ..numerics.distinct import are_among
+from ..numerics.ragged import rows_of
 
 #: Narrower gaps are rounding [rad].
 NARROWEST = 1e-9
@@ -134,8 +135,7 @@ class Gaps:
         """Return gaps where rim i has those that rim ``sources[i]`` has here."""
         first = np.searchsorted(self.rims, sources, side="left")
         count = np.searchsorted(self.rims, sources, side="right") - first
-        rims = np.repeat(np.arange(len(sources)), count)
-        place = np.arange(len(rims)) - np.repeat(np.cumsum(count) - count, count)
+        rims, place = rows_of(count)
         index = first[rims] + place
         return Gaps(rims, self.begins[index], self.ends[index])
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import Floats
+from ..numerics.ragged import rows_of
 from .swept import Pieces
 
 #: A turn between two pieces above this is a kink [rad].
@@ -78,8 +79,7 @@ def take_samples(pieces: Pieces, cutter_radius: float, spacing: float) -> Sample
     done = np.cumsum(lengths)
     begin, end = done[after] - lengths[after], done[before]
     count = np.maximum(np.ceil((end - begin) / spacing), 1).astype(np.int64)
-    run = np.repeat(np.arange(len(count)), count)
-    place = np.arange(len(run)) - np.repeat(np.cumsum(count) - count, count)
+    run, place = rows_of(count)
     marks = begin[run] + (place + 0.5) * (end - begin)[run] / count[run]
     index, fraction = _locate(done, lengths, marks)
     index = np.concatenate([index, before, after])

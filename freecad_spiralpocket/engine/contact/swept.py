@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import Floats
+from ..numerics.ragged import rows_of
 from ..toolpath import Kind, Toolpath
 
 #: Heights closer than this are one height [mm]: posts round to 3 decimals.
@@ -156,8 +157,7 @@ def cut_into_pieces(
             np.ones(len(cutting)),
         ]
     ).astype(np.int64)
-    row = np.repeat(np.arange(len(cutting)), n)
-    part = np.arange(len(row)) - np.repeat(np.cumsum(n) - n, n)
+    row, part = rows_of(n)
     f0, f1 = part / n[row], (part + 1) / n[row]
     whole = Pieces(
         starts=a[row, :2],

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from ..model import Floats
+from ..numerics.ragged import rows_of
 
 #: The wall is never taken nearer to a node than this share of the spacing.
 NEAREST = 1e-6
@@ -159,9 +160,8 @@ def _row_walls(
         a, b = points[:-1], points[1:]
         low = np.ceil(np.minimum(a[:, 1], b[:, 1])).astype(int)
         high = np.ceil(np.maximum(a[:, 1], b[:, 1])).astype(int)  # half open: low <= row < high
-        counts = high - low
-        edge = np.repeat(np.arange(len(a)), counts)
-        row = low[edge] + np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts)
+        edge, place = rows_of(high - low)
+        row = low[edge] + place
         share = (row - a[edge, 1]) / (b[edge, 1] - a[edge, 1])
         lines.append(row)
         places.append(a[edge, 0] + share * (b[edge, 0] - a[edge, 0]))

@@ -21,6 +21,7 @@ from ..growth.strokes import Stroke
 from ..model import Floats, PocketRequest
 from ..numerics.filters import dilated
 from ..numerics.nearest import nearest
+from ..numerics.ragged import rows_of
 
 #: Raster pixels across the cutter.
 PIXELS = 24
@@ -126,9 +127,8 @@ class ClearedMap:
             a, b = points[:-1][same], points[1:][same]
             low = np.ceil(np.minimum(a[:, 1], b[:, 1])).astype(np.int64)
             high = np.ceil(np.maximum(a[:, 1], b[:, 1])).astype(np.int64)  # low <= row < high
-            counts = high - low
-            edge = np.repeat(np.arange(len(a)), counts)
-            row = low[edge] + np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts)
+            edge, place = rows_of(high - low)
+            row = low[edge] + place
             share = (row - a[edge, 1]) / (b[edge, 1] - a[edge, 1])
             column = np.ceil(a[edge, 0] + share * (b[edge, 0] - a[edge, 0])).astype(np.int64)
             # counter-clockwise, what is entered from the left is entered on the way down

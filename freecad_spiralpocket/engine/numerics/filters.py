@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import Floats
+from .ragged import rows_of
 
 #: The bell curve is cut off at this many of its widths.
 TRUNCATE = 4.0
@@ -77,8 +78,8 @@ def patches_of(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
     # each run of a row, with those of the next row that touch it
     first = np.searchsorted(end, begin + width)
     count = np.maximum(np.searchsorted(begin, end + width, "right") - first, 0)
-    here = np.repeat(np.arange(len(begin)), count)
-    below = np.arange(len(here)) + np.repeat(first - np.cumsum(count) + count, count)
+    here, place = rows_of(count)
+    below = first[here] + place
     patch = np.arange(len(begin))
     while True:
         least = np.minimum(patch[here], patch[below])

@@ -24,6 +24,7 @@ from shapely import MultiPolygon, Polygon
 from ..contact.swept import SAME_HEIGHT, Pieces
 from ..model import Floats
 from ..numerics.distinct import distinct
+from ..numerics.ragged import rows_of
 from ..shapes.region import polygons_of, without_hairs
 
 #: Chords in a quarter circle of what can be reached and of what is swept: off by 8e-5 and by
@@ -155,7 +156,7 @@ def _runs(chains: NDArray[np.object_]) -> NDArray[np.object_]:
         return chains
     firsts = np.concatenate([np.arange(a, b - 1, CORNERS) for a, b in pairwise([-1, *ends])]) + 1
     lasts = np.minimum(firsts + CORNERS, ends[np.searchsorted(ends, firsts)])
-    row, part = _rows(lasts - firsts + 1)
+    row, part = rows_of(lasts - firsts + 1)
     return shapely.linestrings(points[firsts[row] + part], indices=row)
 
 
@@ -166,7 +167,7 @@ def _sectors(arcs: Pieces, radius: float) -> NDArray[np.object_]:
     inner, outer = np.maximum(arcs.radii - radius, 0.0), arcs.radii + radius
     over = np.copysign(BEYOND * radius / outer, arcs.sweeps)
     n = _chord_counts(outer, arcs.sweeps) + 1
-    row, part = _rows(n)
+    row, part = rows_of(n)
     turn = (arcs.angles - over)[row] + (arcs.sweeps + 2 * over)[row] * part / (n[row] - 1)
     spoke = np.column_stack([np.cos(turn), np.sin(turn)])
     points = arcs.centers[row] + outer[row, None] * spoke
@@ -181,7 +182,7 @@ def _sectors(arcs: Pieces, radius: float) -> NDArray[np.object_]:
 def polylines(pieces: Pieces) -> NDArray[np.object_]:
     """Return each piece as a line string, arcs as chords within the tolerance."""
     n = np.where(pieces.is_arc, _chord_counts(pieces.radii, pieces.sweeps), 1) + 1
-    row, part = _rows(n)
+    row, part = rows_of(n)
     return shapely.linestrings(pieces.positions(row, part / (n[row] - 1)), indices=row)
 
 
@@ -189,12 +190,6 @@ def _chord_counts(radii: Floats, sweeps: Floats) -> NDArray[np.int64]:
     """Return how many chords keep an arc within the tolerance, one at least."""
     sag = np.minimum(CHORD_TOLERANCE / np.maximum(radii, 1e-9), 1.0)
     return np.maximum(np.ceil(np.abs(sweeps) / (2 * np.arccos(1 - sag))), 1).astype(np.int64)
-
-
-def _rows(counts: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return row and place in the row of rows of the given lengths."""
-    row = np.repeat(np.arange(len(counts)), counts)
-    return row, np.arange(len(row)) - np.repeat(np.cumsum(counts) - counts, counts)
 
 
 def _polygons(geometry: shapely.Geometry) -> MultiPolygon:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import Floats
+from ..numerics.ragged import rows_of
 from .points import distances_along
 
 #: Arcs wider than this are lines [mm].
@@ -97,8 +98,8 @@ def _fit(
     chord = b - a
     count = end - begin  # chords: the end of each, and its middle
     first = np.cumsum(count) - count
-    row = np.repeat(np.arange(len(begin)), count)
-    at = begin[row] + np.arange(len(row)) - first[row]
+    row, place = rows_of(count)
+    at = begin[row] + place
     x, y = points.T
     x, y = (
         np.stack([x[at + 1], (x[at] + x[at + 1]) / 2]),

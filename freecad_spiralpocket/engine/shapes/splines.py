@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 from ..model import Floats, SplineCurve
+from ..numerics.ragged import rows_of
 
 
 def periodic_cubic(points: Floats) -> tuple[Floats, Floats]:
@@ -198,9 +199,8 @@ def sample_beziers(beziers: Floats, tolerance: float) -> Floats:
     bend = np.hypot(second[..., 0], second[..., 1]).max(axis=1)
     counts = np.maximum(1, np.ceil(np.sqrt(degree * (degree - 1) / 8 * bend / tolerance)))
     counts = counts.astype(int)
-    piece = np.repeat(np.arange(len(beziers)), counts)
-    offset = np.concatenate([[0], np.cumsum(counts)[:-1]])
-    t = ((np.arange(len(piece)) - offset[piece] + 1) / counts[piece])[:, None]
+    piece, place = rows_of(counts)
+    t = ((place + 1) / counts[piece])[:, None]
     # powers of t about the start of each piece: differences times binomials
     powers = [
         math.comb(degree, k) * np.diff(beziers[:, : k + 1], n=k, axis=1)[:, 0]
