@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from ..model import Floats
-from ..numerics.ragged import rows_of
+from ..numerics.ragged import crossings_of
 
 #: The wall is never taken nearer to a node than this share of the spacing.
 NEAREST = 1e-6
@@ -157,14 +157,9 @@ def _row_walls(
     rows, columns = shape
     lines, places, owners = [], [], []
     for number, points in enumerate(rings):
-        a, b = points[:-1], points[1:]
-        low = np.ceil(np.minimum(a[:, 1], b[:, 1])).astype(int)
-        high = np.ceil(np.maximum(a[:, 1], b[:, 1])).astype(int)  # half open: low <= row < high
-        edge, place = rows_of(high - low)
-        row = low[edge] + place
-        share = (row - a[edge, 1]) / (b[edge, 1] - a[edge, 1])
+        _, row, x = crossings_of(points[:-1], points[1:])
         lines.append(row)
-        places.append(a[edge, 0] + share * (b[edge, 0] - a[edge, 0]))
+        places.append(x)
         owners.append(np.full(len(row), number))
     # one sorted axis: rows one after the other, far enough apart
     period = 4.0 * columns

@@ -21,7 +21,7 @@ from ..growth.strokes import Stroke
 from ..model import Floats, PocketRequest
 from ..numerics.filters import dilated
 from ..numerics.nearest import nearest
-from ..numerics.ragged import rows_of
+from ..numerics.ragged import crossings_of
 
 #: Raster pixels across the cutter.
 PIXELS = 24
@@ -125,12 +125,8 @@ class ClearedMap:
             points[:, 1] = np.clip(points[:, 1], 0, self.shape[0] - 1)
             same = ring[1:] == ring[:-1]
             a, b = points[:-1][same], points[1:][same]
-            low = np.ceil(np.minimum(a[:, 1], b[:, 1])).astype(np.int64)
-            high = np.ceil(np.maximum(a[:, 1], b[:, 1])).astype(np.int64)  # low <= row < high
-            edge, place = rows_of(high - low)
-            row = low[edge] + place
-            share = (row - a[edge, 1]) / (b[edge, 1] - a[edge, 1])
-            column = np.ceil(a[edge, 0] + share * (b[edge, 0] - a[edge, 0])).astype(np.int64)
+            edge, row, x = crossings_of(a, b)
+            column = np.ceil(x).astype(np.int64)
             # counter-clockwise, what is entered from the left is entered on the way down
             sign = np.where(a[edge, 1] > b[edge, 1], 1, -1).astype(np.int16)
             np.add.at(flips, row * width + np.clip(column, 0, width - 1), sign)
