@@ -10,6 +10,10 @@ the diameter, 180 in a full slot. On a bend the true angle differs; that is what
 from __future__ import annotations
 
 import math
+from typing import overload
+
+import numpy as np
+from numpy.typing import NDArray
 
 #: Engagement above this multiple of the limit and this much more [rad] clearly passes it.
 OVER_FACTOR, OVER_MARGIN = 1.15, math.radians(4.0)
@@ -28,17 +32,33 @@ def engagement_angle(stepover: float, cutter_radius: float) -> float:
     return math.acos(min(1.0, max(-1.0, 1.0 - stepover / cutter_radius)))
 
 
-def radial_depth(angle: float, cutter_radius: float) -> float:
+@overload
+def radial_depth(angle: float, cutter_radius: float) -> float: ...
+
+
+@overload
+def radial_depth(angle: NDArray[np.float64], cutter_radius: float) -> NDArray[np.float64]: ...
+
+
+def radial_depth(
+    angle: float | NDArray[np.float64], cutter_radius: float
+) -> float | NDArray[np.float64]:
     """Return the step-over [mm] whose straight cut has an engagement `angle` [rad].
 
     Parameters
     ----------
-    angle : float
+    angle : float or ndarray
         In ``[0, pi]`` [rad].
     cutter_radius : float
         R [mm], positive.
+
+    Returns
+    -------
+    float or ndarray
+        As `angle`.
     """
-    return cutter_radius * (1.0 - math.cos(angle))
+    depth = cutter_radius * (1.0 - np.cos(angle))
+    return depth if isinstance(angle, np.ndarray) else float(depth)
 
 
 def over_limit(limit: float) -> float:

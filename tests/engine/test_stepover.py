@@ -3,6 +3,7 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from freecad_spiralpocket.engine.stepover import engagement_angle, radial_depth
@@ -16,6 +17,11 @@ RADIUS = 4.0
 def test_known_pairs(share, degrees):
     assert math.degrees(engagement_angle(2 * share * RADIUS, RADIUS)) == pytest.approx(degrees)
     assert radial_depth(math.radians(degrees), RADIUS) == pytest.approx(2 * share * RADIUS)
+
+
+def test_many_depths_at_once_are_those_of_each():
+    angles = np.linspace(0.0, math.pi, 50)
+    assert radial_depth(angles, RADIUS).tolist() == [radial_depth(a, RADIUS) for a in angles]
 
 
 def test_more_than_a_slot_is_a_slot():

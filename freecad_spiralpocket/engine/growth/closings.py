@@ -31,6 +31,7 @@ from ..shapes.shaping import (
     sizable_parts,
     welded,
 )
+from ..stepover import radial_depth
 from .front_rules import NEW, WIDEST, FrontRules
 
 #: A front goes no farther than the first beyond the last, over R: there the cutter reached over. Or
@@ -178,7 +179,7 @@ def _reach(rules: FrontRules) -> float:
 
 def _gentle_reach(rules: FrontRules) -> float:
     """Return up to where beyond the last front no corner of a plug is `_are_steep` [mm]."""
-    return min(_reach(rules), rules.cutter_radius * (1 - float(np.cos(rules.limit + SLACK))))
+    return min(_reach(rules), radial_depth(rules.limit + SLACK, rules.cutter_radius))
 
 
 def _new_edges(fills: NDArray[np.object_], moved: Region) -> NDArray[np.intp]:

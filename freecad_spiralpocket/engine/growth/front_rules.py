@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..model import Floats, PocketRequest
-from ..stepover import over_limit
+from ..stepover import over_limit, radial_depth
 
 #: Where the stock bends away from the cutter the step may be so much over the step-over.
 WIDEST = 1.15
@@ -54,7 +54,7 @@ class FrontRules:
     @property
     def stepover(self) -> float:
         """Return the step of a straight front [mm]."""
-        return self.cutter_radius * (1 - float(np.cos(self.limit)))
+        return radial_depth(self.limit, self.cutter_radius)
 
 
 def step_limit(engagement_limit: float) -> float:
@@ -76,7 +76,7 @@ def _fillet(limit: float) -> float:
     steps over it by as much as on a straight front.
     """
     angle = limit + ROUNDED * (over_limit(limit) - limit)
-    stepover, height = 1 - float(np.cos(limit)), float(np.cos(angle))
+    stepover, height = radial_depth(limit, 1.0), float(np.cos(angle))
     return stepover * (stepover + 2 * height) / (2 * (1 - stepover - height))
 
 

@@ -31,6 +31,7 @@ from numpy.typing import NDArray
 from ..model import FeedMode, Floats
 from ..numerics.distinct import distinct
 from ..numerics.filters import lowest
+from ..stepover import radial_depth
 from ..toolpath import Role, Toolpath
 from .feed_runs import lengthen_runs
 from .stations import Measured, ends_of, points_at, stations_of
@@ -192,9 +193,9 @@ def _allowed_ratios(
     stations = stations_of(toolpath, engagement.moves, engagement.points)
     angles, roles = engagement.angles, toolpath.roles[engagement.moves]
     if rules.mode is FeedMode.LINEAR_SLOWDOWN:
-        depths = r * (1 - np.cos(angles))
+        depths = radial_depth(angles, r)
         steady = (angles < SLOT) & (roles != Role.ENTRY)
-        specified = r * (1 - np.cos(limit))
+        specified = radial_depth(limit, r)
         ratio = linear_slowdown(
             depths, specified, float(depths[steady].max(initial=0.0)), rules.slowed
         )

@@ -25,6 +25,7 @@ from ..model import Floats, PocketRequest
 from ..shapes.points import signed_area
 from ..shapes.polyline import closed_line
 from ..shapes.shaping import CRACK
+from ..stepover import radial_depth
 from .slot import ways_aside
 from .stair_profile import profile_of
 
@@ -133,7 +134,7 @@ def _distances(drops: Floats, rules: FrontRules) -> Floats:
         lower = LOWER * depth
         at_most = (rules.limit + SLACK) * (depth - lower) - math.pi * drops[-1]
         angles[-1] = min(angles[-1], at_most / max(above[-1] - lower, 1e-9))
-    by_angle = radius * (1 - np.cos(np.maximum(angles, 0.0)))
+    by_angle = radial_depth(np.maximum(angles, 0.0), radius)
     by_volume = (WIDEST * rules.stepover * depth - 2 * radius * drops[1:]) / above
     steps = np.maximum(np.minimum(by_angle, by_volume), 0.0)
     distances = np.append(np.cumsum(steps[::-1])[::-1], 0.0)
