@@ -14,6 +14,7 @@ from shapely import LineString, Polygon
 
 from ..model import Floats
 from ..numerics.distinct import distinct_pairs
+from ..shapes.points import unit
 from ..shapes.polyline import closed_line, located, points_at
 from ..shapes.shaping import Region, grow_coarsely
 from .spiral import (
@@ -356,8 +357,3 @@ def _widest(exterior: bool, radius: float, stepover: float) -> float:
     if exterior:
         return WIDEST * stepover
     return min(WIDEST_INWARDS * stepover, WITHOUT_CUSPS * radius)
-
-
-def unit(v: Floats) -> Floats:
-    """Return the unit vector along one, shape (2,); of none, none."""
-    return v / (np.hypot(*v) + 1e-12)

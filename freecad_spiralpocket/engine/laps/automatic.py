@@ -25,7 +25,7 @@ from ..growth.front_rules import WIDEST, FrontRules, rules_of
 from ..growth.fronts import MAX_FRONTS, fronts_from, without_idle_holes
 from ..growth.lap_width import STRETCH
 from ..growth.spiral import between
-from ..growth.stroke_runs import Run, runs_of, unit
+from ..growth.stroke_runs import Run, runs_of
 from ..growth.strokes import Stroke, strokes_between, strokes_of
 from ..links.cleared import ClearedMap, pixel_of
 from ..links.estimates import (
@@ -48,6 +48,7 @@ from ..opening.promising import FEW, promising
 from ..opening.slot_ends import well_ended
 from ..opening.start import Start
 from ..opening.starts import candidates
+from ..shapes.points import unit
 from ..shapes.shaping import grow_coarsely, largest, oriented, thick_parts
 
 #: A start is given up that needs more levels than this over the best.

@@ -44,7 +44,7 @@ from ..middle_line.joints import walk_over
 from ..middle_line.openings import Opening, open_centers
 from ..model import Floats, PocketRequest, Tick
 from ..opening.start import Start
-from ..shapes.points import distances_along
+from ..shapes.points import distances_along, unit
 from ..shapes.polyline import points_at
 from ..shapes.shaping import largest, oriented
 from ..shapes.skeleton import Skeleton, medial_axis
@@ -290,5 +290,4 @@ def _ahead(place: Place) -> Floats:
 def _end_of(steps: list[Step], start: Start) -> tuple[Floats, Floats]:
     """Return where the spirals end and the unit direction there; of the entry if there are none."""
     points = steps[-1].points[-2:] if steps else shapely.get_coordinates(start.ring)[:2]
-    ahead = points[1] - points[0]
-    return points[1] if steps else points[0], ahead / (np.hypot(*ahead) + 1e-12)
+    return points[1] if steps else points[0], unit(points[1] - points[0])

@@ -16,8 +16,9 @@ import shapely
 from shapely import LineString, Point, Polygon
 from shapely.ops import substring
 
-from ..growth.stroke_runs import Run, unit
+from ..growth.stroke_runs import Run
 from ..model import Floats
+from ..shapes.points import unit
 from .cleared import ClearedMap
 from .linking import Motion, are_nervous, fine_link, hermite_links, link_times
 from .ring_ways import back_along_ring, onto_ring

@@ -15,8 +15,9 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..growth.stroke_runs import Run, unit
+from ..growth.stroke_runs import Run
 from ..model import Floats
+from ..shapes.points import unit
 from .cleared import NEVER
 from .estimates import link_seconds
 from .linking import hermite_links, link_times

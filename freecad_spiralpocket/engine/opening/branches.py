@@ -17,6 +17,7 @@ from shapely import LineString, Polygon
 from ..model import Floats
 from ..numerics.filters import evened
 from ..numerics.nearest import nearest
+from ..shapes.points import unit
 from ..shapes.polyline import points_at
 from ..shapes.shaping import closing_of, grow_coarsely, largest
 from ..shapes.skeleton import Edges, Skeleton, distances_from
@@ -83,8 +84,7 @@ def _gone_on(points: Floats, region: Polygon) -> Floats:
     """Return a line gone on straight beyond its last point towards the wall."""
     line, end = LineString(points), points[-1]
     width = region.boundary.distance(shapely.Point(end))
-    ahead = end - points_at(line, np.array(max(0.0, line.length - width)))
-    ahead = ahead / (np.hypot(*ahead) + 1e-12)
+    ahead = unit(end - points_at(line, np.array(max(0.0, line.length - width))))
     ray = LineString([end, end + 4 * width * ahead])
     wall = shapely.intersection(region.boundary, ray)
     if wall.is_empty:

@@ -13,6 +13,7 @@ from shapely import LineString, Polygon
 from ..growth.walls import are_near_walls
 from ..numerics.distinct import distinct_pairs
 from ..numerics.graphs import delaunay_triangles, spanning_tree
+from ..shapes.points import unit
 from ..shapes.shaping import CRACK, Region, closing_of, grow_coarsely, largest, thick_parts
 
 #: Notches that a ring round islands leaves deeper than this over R are taken into it, with the
@@ -93,10 +94,9 @@ def bridges_between(islands: list[Polygon]) -> list[LineString]:
     for a, b in tree.tolist():
         line = shapely.shortest_line(islands[a], islands[b])
         # a little into both islands, so that the corridor meets their walls
-        (x0, y0), (x1, y1) = line.coords
-        d = np.array([x1 - x0, y1 - y0])
-        d = d / (np.hypot(*d) + 1e-12)
-        lines.append(LineString([np.array([x0, y0]) - d, np.array([x1, y1]) + d]))
+        begin, end = shapely.get_coordinates(line)
+        ahead = unit(end - begin)
+        lines.append(LineString([begin - ahead, end + ahead]))
     return lines
 
 

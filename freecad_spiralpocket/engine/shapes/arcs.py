@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..model import Floats
 from ..numerics.ragged import rows_of
-from .points import distances_along
+from .points import circumcenters, cross, distances_along
 
 #: Arcs wider than this are lines [mm].
 WIDEST = 2000.0
@@ -94,7 +94,7 @@ def _fit(
     a, b = points[begin], points[end]
     middle = np.searchsorted(along, (along[begin] + along[end]) / 2)
     c = points[np.clip(middle, begin + 1, np.maximum(end - 1, begin + 1))]
-    centers = _circumcenters(a, b, c)
+    centers = circumcenters(a, b, c)
     chord = b - a
     count = end - begin  # chords: the end of each, and its middle
     first = np.cumsum(count) - count
@@ -121,20 +121,5 @@ def _fit(
         bent &= (length <= LONGEST * 2 * half * radius) & (2 * half < LARGEST_SWEEP)
         bent &= radius < WIDEST
     centers = np.where((bent & ~straight)[:, None], centers, np.nan)
-    ccw = _cross(c - a, b - c) > 0
+    ccw = cross(c - a, b - c) > 0
     return straight | bent, centers, ccw
-
-
-def _circumcenters(a: Floats, b: Floats, c: Floats) -> Floats:
-    """Return the centers of circles through three points each; far away where they are in line."""
-    ab, ac = b - a, c - a
-    twice = 2 * _cross(ab, ac)
-    twice = np.where(np.abs(twice) < 1e-12, np.inf, twice)
-    q, s = (ab**2).sum(axis=1), (ac**2).sum(axis=1)
-    ux = (ac[:, 1] * q - ab[:, 1] * s) / twice
-    uy = (ab[:, 0] * s - ac[:, 0] * q) / twice
-    return a + np.column_stack([ux, uy])
-
-
-def _cross(u: Floats, v: Floats) -> Floats:
-    return u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]

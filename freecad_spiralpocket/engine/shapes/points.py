@@ -10,10 +10,23 @@ import numpy as np
 
 from ..model import Floats
 
+#: The center of three points that are nearly in line is so far off them in x and in y [mm].
+FAR = 1e6
+
 
 def distances_along(points: Floats) -> Floats:
     """Return how far along a polyline each of its points is, shape (n,) [mm]."""
     return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+
+
+def unit(v: Floats) -> Floats:
+    """Return the unit vector along one, shape (2,); of none, none."""
+    return v / (np.hypot(*v) + 1e-12)
+
+
+def cross(u: Floats, v: Floats) -> Floats:
+    """Return the cross product of vectors, shape (..., 2): positive where `v` is to the left."""
+    return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
 
 
 def signed_area(ring: Floats) -> float:
@@ -36,8 +49,29 @@ def three_point_curvature(a: Floats, b: Floats, c: Floats) -> Floats:
         Positive to the left [1/mm]; infinite where two of the points are the same.
     """
     ab, bc, ac = b - a, c - b, c - a
-    doubled = ab[..., 0] * bc[..., 1] - ab[..., 1] * bc[..., 0]
+    doubled = cross(ab, bc)
     sides = np.prod([np.hypot(v[..., 0], v[..., 1]) for v in (ab, bc, ac)], axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
         curvature = 2 * doubled / sides
     return np.where(sides > 0, curvature, np.inf)
+
+
+def circumcenters(a: Floats, b: Floats, c: Floats) -> Floats:
+    """Return the centers of the circles through three points each, far off where they are in line.
+
+    Parameters
+    ----------
+    a, b, c : ndarray of shape (n, 2)
+        [mm]
+
+    Returns
+    -------
+    ndarray of shape (n, 2)
+        [mm]; no farther than `FAR` from `a` in x and in y.
+    """
+    ab, ac = b - a, c - a
+    area = cross(ab, ac)
+    q, s = (ab**2).sum(axis=1), (ac**2).sum(axis=1)
+    twice_area = np.where(np.abs(area) < 1e-12 * np.maximum(q, s), 1e-100, 2 * area)
+    away = np.column_stack([ac[:, 1] * q - ab[:, 1] * s, ab[:, 0] * s - ac[:, 0] * q])
+    return a + np.clip(away / twice_area[:, None], -FAR, FAR)

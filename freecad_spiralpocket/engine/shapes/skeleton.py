@@ -26,6 +26,7 @@ from ..model import Floats
 from ..numerics.distinct import distinct_places
 from ..numerics.graphs import delaunay_triangles, shortest_paths
 from ..numerics.nearest import nearest
+from .points import circumcenters
 from .polyline import ring_samples
 
 #: Pairs of node indices.
@@ -132,14 +133,8 @@ def _voronoi(samples: Floats) -> tuple[Floats, NDArray[np.intp], NDArray[np.intp
     twice = np.flatnonzero((np.diff(sides[order], axis=0) == 0).all(axis=1))
     pairs = sides[order[twice]]
     edges = np.column_stack([order[twice], order[twice + 1]]) // 3
-    a, b, c = (samples[triangles[:, i]] for i in range(3))
-    ab, ac = b - a, c - a
-    area = ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0]
-    q, s = (ab**2).sum(axis=1), (ac**2).sum(axis=1)
     # three samples in line have their center far outside
-    twice_area = np.where(np.abs(area) < 1e-12 * np.maximum(q, s), 1e-300, 2 * area)
-    away = np.column_stack([ac[:, 1] * q - ab[:, 1] * s, ab[:, 0] * s - ac[:, 0] * q])
-    centers = a + np.clip(away / twice_area[:, None], -1e6, 1e6)
+    centers = circumcenters(*(samples[triangles[:, i]] for i in range(3)))
     # samples on one circle share their corner
     first, corner = distinct_places(np.round(centers / SAME_CORNER))
     edges = corner[edges]
