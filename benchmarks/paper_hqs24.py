@@ -23,7 +23,7 @@ from shapely.affinity import scale
 
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.engine.floor import Pass, Slot
-from freecad_spiralpocket.engine.heat.family import INSET, Family, family_of
+from freecad_spiralpocket.engine.heat.family import Family, family_of
 from freecad_spiralpocket.engine.heat.isotherms import mover, refitted
 from freecad_spiralpocket.engine.heat.nested import Lap, path_through
 from freecad_spiralpocket.engine.laps.isotherm import laps_of
@@ -31,7 +31,7 @@ from freecad_spiralpocket.engine.links.estimates import motion_of
 from freecad_spiralpocket.engine.model import Cutting, Feeds, Heights, PocketRequest
 from freecad_spiralpocket.engine.motion.timing import polyline_seconds
 from freecad_spiralpocket.engine.shapes.polyline import points_at
-from freecad_spiralpocket.engine.shapes.region import center_regions
+from freecad_spiralpocket.engine.shapes.region import INSET, center_regions
 from freecad_spiralpocket.engine.toolpath import Role
 
 #: Cutter and largest deviation [mm]; programmed feed [mm/s]; largest distance of laps [mm].

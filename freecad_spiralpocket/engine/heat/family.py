@@ -16,7 +16,7 @@ from shapely import Polygon
 
 from ..dependencies import require
 from ..model import Floats, PocketRequest
-from ..shapes.region import grow, polygons_of
+from ..shapes.region import INSET, grow, polygons_of, rounded_inside
 from ..shapes.shaping import oriented
 from .nested import SPACING
 from .poisson import HeatField, solve
@@ -35,8 +35,6 @@ _NO_CONTOURS = (
     "It comes with matplotlib 3.6 or later: install that with FreeCAD's Addon Manager, or choose "
     "another strategy."
 )
-#: The last lap keeps off the wall by this [mm].
-INSET = 0.01
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -189,7 +187,7 @@ def _rounded(region: Polygon, fillet: float) -> Polygon:
 
     It keeps off the walls by `INSET`.
     """
-    parts = polygons_of(grow(grow(region, -fillet - INSET), fillet))
+    parts = rounded_inside(region, fillet, INSET)
     if len(parts) == 1 and len(parts[0].interiors) == len(region.interiors):
         return oriented(parts[0])
     parts = polygons_of(grow(region, -INSET))

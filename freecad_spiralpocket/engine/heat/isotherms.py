@@ -17,9 +17,9 @@ from shapely import Polygon
 
 from ..model import Floats
 from ..shapes.points import signed_area
-from ..shapes.region import polygons_of
+from ..shapes.region import INSET, polygons_of
 from ..shapes.shaping import oriented
-from .family import INSET, Family, Room, points_of
+from .family import Family, Room, points_of
 from .hermite_quartic import ClosedFit
 from .nested import SPACING, Mover
 from .poisson import HeatField

@@ -36,6 +36,7 @@ from ..model import Floats, PocketRequest, Tick
 from ..motion.timing import polyline_seconds
 from ..opening.entry import fit_helix_radius
 from ..shapes.polyline import ring_from, turning_samples
+from ..shapes.region import rounded_inside
 from ..shapes.splines import (
     periodic_beziers,
     periodic_controls,
@@ -44,7 +45,7 @@ from ..shapes.splines import (
     spiral_beziers,
 )
 from ..shapes.starshape import deepest_center
-from .closing import closing_passes, corner_fillet, rounded_inside, wall_inset
+from .closing import closing_passes, corner_fillet, wall_inset
 
 #: C, the end of the circular spiral, in the order tried: the paper's best first.
 RATIOS = (0.55, 0.5, 0.6, 0.45, 0.65, 0.4, 0.7, 0.3, 0.8)
@@ -165,7 +166,7 @@ def wall_spline(region: Polygon, center: Floats, fillet: float) -> tuple[Floats,
         If no spline keeps inside.
     """
     inset = wall_inset(region.boundary.distance(Point(center)))
-    rounded = rounded_inside(region, fillet, inset)
+    rounded = rounded_inside(region, fillet, inset)[0]
     ring = ring_from(np.array(rounded.exterior.coords)[:-1], center, toward=(1.0, 0.0))
     for halving in range(HALVINGS):
         share = 0.5**halving

@@ -15,7 +15,7 @@ from ..floor import Pass
 from ..links.linking import come_to_wall, leave_wall
 from ..model import Floats, PocketRequest
 from ..shapes.polyline import ring_from, simplified
-from ..shapes.region import grow, polygons_of
+from ..shapes.region import INSET, grow
 from ..toolpath import Role
 
 #: Fillet radii of the rounded wall tried, over the step-over.
@@ -25,8 +25,8 @@ FILLETS = (4.0, 3.0, 2.4, 1.75, 1.3, 1.0, 0.7, 0.5)
 CORNER_BITE = 0.5
 #: Detail that does not matter there [mm].
 ROUGH = 0.01
-#: The spline of the wall runs this far inside of it [mm], and no more than that over the room.
-INSET, MOST_INSET = 0.01, 0.25
+#: The spline of the wall runs inside of it by no more than this over the room.
+MOST_INSET = 0.25
 
 
 def wall_inset(room: float) -> float:
@@ -59,25 +59,6 @@ def corner_fillet(region: Polygon, stepover: float) -> float:
         if shapely.dwithin(opened, corners, CORNER_BITE * stepover).all():
             return share * stepover
     return FILLETS[-1] * stepover
-
-
-def rounded_inside(region: Polygon, fillet: float, inset: float) -> Polygon:
-    """Return what lies farther inside of a region than `inset`, convex corners rounded.
-
-    Parameters
-    ----------
-    region : shapely.Polygon
-    fillet : float
-        Radius of its corners [mm].
-    inset : float
-        [mm]
-
-    Returns
-    -------
-    shapely.Polygon
-        The largest, where that breaks the region into several.
-    """
-    return polygons_of(grow(grow(region, -fillet - inset), fillet))[0]
 
 
 def closing_passes(

@@ -36,6 +36,7 @@ from ..opening.slot import slot_end
 from ..opening.start import slot_bite
 from ..opening.starts import leaves_no_post
 from ..shapes.polyline import closed_line, ring_from
+from ..shapes.region import rounded_inside
 from ..shapes.splines import (
     join_c2,
     periodic_beziers,
@@ -43,7 +44,7 @@ from ..shapes.splines import (
     sample_beziers,
     spiral_beziers,
 )
-from .closing import closing_passes, rounded_inside, wall_inset
+from .closing import closing_passes, wall_inset
 
 #: Fillet radius of the rounded wall over the step-over at first; halved while it takes more than
 #: `DEEPEST` off a corner, or anything off a neck.
@@ -232,7 +233,7 @@ def rounded_wall(
     fillet, inset = min(ROUNDING * stepover, 0.5 * spine.room), wall_inset(spine.room)
     corners = shapely.points(np.array(region.exterior.coords))
     for _ in range(HALVINGS):
-        rounded = rounded_inside(region, fillet, inset)
+        rounded = rounded_inside(region, fillet, inset)[0]
         shapely.prepare(rounded)
         if shapely.dwithin(rounded, corners, DEEPEST * stepover + inset).all():
             break

@@ -26,6 +26,8 @@ SNUG = 0.01
 ROUND = 1.05
 #: Chords of circles that are larger than any part are no shorter [rad]: rounding would make them 0.
 LEAST_STEP = 1e-4
+#: What is fitted to a wall keeps off it by this [mm].
+INSET = 0.01
 
 
 def quad_segments(radius: float, sag: float = BUFFER_SAG) -> int:
@@ -48,6 +50,25 @@ def grow(
     For what decides where walls are; fronts are grown by `shaping.grow_coarsely`.
     """
     return shapely.buffer(shape, distance, quad_segs=quad_segments(distance, sag))
+
+
+def rounded_inside(region: Polygon, fillet: float, inset: float) -> list[Polygon]:
+    """Return what lies farther inside of a region than `inset`, convex corners rounded.
+
+    Parameters
+    ----------
+    region : shapely.Polygon
+    fillet : float
+        Radius of its corners [mm].
+    inset : float
+        [mm]
+
+    Returns
+    -------
+    list of shapely.Polygon
+        Several where that breaks the region at necks, largest first.
+    """
+    return polygons_of(grow(grow(region, -fillet - inset), fillet))
 
 
 def polygons_of(shape: shapely.Geometry) -> list[Polygon]:
