@@ -26,7 +26,7 @@ from .opening.outline import outline_of
 from .opening.promising import promising
 from .opening.starts import island_ring
 from .shapes.region import center_regions
-from .shapes.shaping import largest, oriented
+from .shapes.shaping import largest, oriented, slim_region
 
 #: Outlines are coarse by this much, over R; chords in a quarter circle.
 COARSE, QUADRANT = 0.02, 4
@@ -146,7 +146,7 @@ def _regions(request: PocketRequest) -> list[Polygon]:
     is_mirrored = request.cutting.cut_mode is CutMode.CONVENTIONAL
     stock = request.cutting.stock_to_leave
     regions = center_regions(request.pocket, request.cutter_radius, stock)
-    return [oriented(shapely.simplify(mirrored(r) if is_mirrored else r, 0.001)) for r in regions]
+    return [slim_region(mirrored(r) if is_mirrored else r) for r in regions]
 
 
 def draft(request: PocketRequest, opened: list[Opening] | None = None) -> Draft:

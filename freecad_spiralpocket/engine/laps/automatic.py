@@ -49,7 +49,7 @@ from ..opening.slot_ends import well_ended
 from ..opening.start import Start
 from ..opening.starts import candidates
 from ..shapes.points import unit
-from ..shapes.shaping import grow_coarsely, largest, oriented, thick_parts
+from ..shapes.shaping import grow_coarsely, largest, slim_region, thick_parts
 
 #: A start is given up that needs more levels than this over the best.
 HOPELESS_LEVELS = 1.8
@@ -86,7 +86,7 @@ def floor_path(region: Polygon, request: PocketRequest, tick: Tick) -> FloorPath
     CutterDoesNotFitError
         If there is no room to go down.
     """
-    region = oriented(shapely.simplify(region, 0.001))
+    region = slim_region(region)
     best = _fastest(starts_of(region, request), needed(region, request), request, tick)
     pieces = [] if request.stock is None else large_pieces(region, request)
     return _joined(_piecewise(best, pieces, region, request, tick), region, request)

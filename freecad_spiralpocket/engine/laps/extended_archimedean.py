@@ -46,7 +46,7 @@ from ..model import Floats, PocketRequest, Tick
 from ..opening.start import Start
 from ..shapes.points import distances_along, unit
 from ..shapes.polyline import points_at
-from ..shapes.shaping import largest, oriented
+from ..shapes.shaping import largest, oriented, slim_region
 from ..shapes.skeleton import Skeleton, medial_axis
 
 #: Laps are no farther apart than this over D: in a square bend they are 1.41 times as far.
@@ -127,7 +127,7 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
 
     Parameters and errors are those of `floor_path`.
     """
-    region = oriented(shapely.simplify(region, 0.001))
+    region = slim_region(region)
     spacing = min(request.cutting.stepover, WIDEST * request.tool_diameter)
     request = replace(request, cutting=replace(request.cutting, stepover=spacing))
     axis = medial_axis(region, request.tool_diameter)

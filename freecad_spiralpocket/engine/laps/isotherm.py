@@ -48,7 +48,7 @@ from ..heat.poisson import HeatField
 from ..links.estimates import LIFT_SECONDS, motion_of
 from ..model import PocketRequest, Tick
 from ..opening.start import slot_bite
-from ..shapes.shaping import oriented
+from ..shapes.shaping import slim_region
 from ..shapes.skeleton import medial_axis
 from .closing import corner_fillet
 
@@ -89,7 +89,7 @@ def floor_path(
     CutterDoesNotFitError
         If there is no room to go down.
     """
-    region = oriented(shapely.simplify(region, 0.001))
+    region = slim_region(region)
     wall, move = _shortest(region, request, deviation, tick)
     if request.cutting.finishing_lap:
         wall = Lap(region, 0.0, (wall,))

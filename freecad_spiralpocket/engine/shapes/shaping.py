@@ -18,6 +18,8 @@ from .region import polygons_of
 #: What growing and shrinking return.
 Region: TypeAlias = Polygon | MultiPolygon
 
+#: Points of a cutter-center region that matter less than this are left out [mm].
+SLIM = 0.001
 #: Cracks where shapes are joined are narrower than twice this [mm].
 CRACK = 0.01
 #: What is thinner than twice this is a hairline [mm].
@@ -136,6 +138,11 @@ def _simplified_ring(ring: shapely.LinearRing, tolerance: float) -> Floats:
     if len(points) and (points[0] != shapely.get_coordinates(ring)[0]).any():
         points = np.vstack([points[-2:-1], points[:-1]])
     return points
+
+
+def slim_region(region: Polygon) -> Polygon:
+    """Return a cutter-center region as strategies take it: without needless points, `oriented`."""
+    return oriented(shapely.simplify(region, SLIM))
 
 
 def welded(shapes: Sequence[Region]) -> Region:
