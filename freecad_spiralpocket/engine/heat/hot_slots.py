@@ -25,11 +25,11 @@ from shapely import LineString, Polygon
 
 from ..floor import Slot
 from ..model import PocketRequest
-from ..numerics.graphs import shortest_paths, spanning_tree
+from ..numerics.graphs import root_of, shortest_paths, spanning_tree
 from ..opening.branches import smoothed
 from ..opening.starts import leaves_no_post, slot_round
 from ..shapes.shaping import grow_coarsely, largest, oriented
-from ..shapes.skeleton import Edges, Skeleton, peel
+from ..shapes.skeleton import Edges, Skeleton, neighbors_of, peel, spurs_of
 
 #: Half the width of the slot over D: the first is taken that leaves no post.
 HALF_WIDTHS = (0.46, 0.38, 0.3, 0.22)
@@ -146,12 +146,11 @@ def _length(axis: Skeleton, edges: Edges) -> float:
 
 def _to_rooms(axis: Skeleton, edges: Edges, middles: list[int]) -> Edges:
     """Return edges with the shortest ways to the middles of rooms; if none, between these."""
-    lengths = np.hypot(*(axis.nodes[axis.edges[:, 0]] - axis.nodes[axis.edges[:, 1]]).T)
     kept, reached = {frozenset(edge) for edge in edges}, {node for edge in edges for node in edge}
     if not reached:
         reached.update(middles[:1])
     for middle in middles:
-        away, before = shortest_paths(axis.edges, lengths, middle)
+        away, before = shortest_paths(axis.edges, axis.lengths, middle)
         node = min(reached, key=lambda other: float(away[other]))
         way = [node]
         while before[way[-1]] >= 0:
@@ -163,18 +162,12 @@ def _to_rooms(axis: Skeleton, edges: Edges, middles: list[int]) -> Edges:
 
 def _rooms(axis: Skeleton, radius: float) -> list[int]:
     """Return the widest node of each room that a neck parts from wider ones, the widest first."""
-    neighbors = _neighbors([(a, b) for a, b in axis.edges.tolist()])
+    neighbors = neighbors_of(axis.edges.tolist())
     peak: dict[int, int] = {}  # of each node that is as wide as any looked at so far
-
-    def peak_of(node: int) -> int:
-        while peak[node] != node:
-            peak[node] = node = peak[peak[node]]
-        return node
-
     rooms = []
     for node in np.argsort(-axis.clearance, kind="stable").tolist():
         peak[node] = node
-        peaks = {peak_of(other) for other in neighbors.get(node, ()) if other in peak}
+        peaks = {root_of(peak, other) for other in neighbors.get(node, ()) if other in peak}
         widest = max(peaks, key=lambda p: (axis.clearance[p], -p), default=node)
         for other in (node, *peaks):
             peak[other] = widest
@@ -187,21 +180,12 @@ def _rooms(axis: Skeleton, radius: float) -> list[int]:
 def _without_forks(axis: Skeleton, edges: Edges) -> Edges:
     """Return edges without the branches that are short beside the room at their foot."""
     while True:
-        spurs: set[frozenset[int]] = set()
-        neighbors = _neighbors(edges)
-        for tip in [node for node, near in neighbors.items() if len(near) == 1]:
-            branch = [tip, *neighbors[tip]]
-            while len(neighbors[branch[-1]]) == 2:
-                (ahead,) = neighbors[branch[-1]] - {branch[-2]}
-                branch.append(ahead)
-            foot = branch[-1]
-            length = float(np.hypot(*np.diff(axis.nodes[branch], axis=0).T).sum())
-            if len(neighbors[foot]) > 2 and length < SPUR * axis.clearance[foot]:
-                spurs.update(frozenset(edge) for edge in pairwise(branch))
+        spurs = spurs_of(axis, neighbors_of(edges), SPUR)
         if not spurs:
             return edges
         # all of a fork at once: the last one left would be a hook
-        edges = [edge for edge in edges if frozenset(edge) not in spurs]
+        gone = {frozenset(edge) for spur in spurs for edge in pairwise(spur)}
+        edges = [edge for edge in edges if frozenset(edge) not in gone]
 
 
 def _parted(axis: Skeleton, edges: Edges, apart: float) -> Edges:
@@ -209,7 +193,7 @@ def _parted(axis: Skeleton, edges: Edges, apart: float) -> Edges:
     pairs: NDArray[np.intp] = np.array(edges, np.intp).reshape(-1, 2)
     narrow = axis.clearance[pairs].min(axis=1)
     tree = spanning_tree(len(axis.nodes), pairs, -narrow).tolist()
-    neighbors, kept = _neighbors(tree), {frozenset(edge) for edge in tree}
+    neighbors, kept = neighbors_of(tree), {frozenset(edge) for edge in tree}
     for edge in edges:
         if frozenset(edge) in kept:
             continue
@@ -222,12 +206,3 @@ def _parted(axis: Skeleton, edges: Edges, apart: float) -> Edges:
                 neighbors[inner].discard(tip)
                 tip = inner
     return [(a, b) for a, near in neighbors.items() for b in near if a < b]
-
-
-def _neighbors(edges: Edges) -> dict[int, set[int]]:
-    """Return the nodes beside each node."""
-    neighbors: dict[int, set[int]] = {}
-    for a, b in edges:
-        neighbors.setdefault(a, set()).add(b)
-        neighbors.setdefault(b, set()).add(a)
-    return neighbors

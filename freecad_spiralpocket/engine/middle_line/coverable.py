@@ -146,9 +146,8 @@ def _are_behind_walls(
     )
     if not behind.any():
         return behind
-    a, b = axis.edges.T
-    lengths = np.maximum(np.hypot(*(axis.nodes[a] - axis.nodes[b]).T), 1e-9)
-    graph = coo_array((lengths, (a, b)), shape=(len(axis.nodes),) * 2).tocsr()
+    lengths = np.maximum(axis.lengths, 1e-9)
+    graph = coo_array((lengths, tuple(axis.edges.T)), shape=(len(axis.nodes),) * 2).tocsr()
     ways = dijkstra(graph, directed=False, indices=nodes, min_only=True, limit=reach)
     return behind & (ways[near] > reach)
 
@@ -170,7 +169,7 @@ def _maximal(
     A node is in slices only that are lower than its entry in `below` [mm].
     """
     best, most = None, 0.0
-    steps = np.hypot(*(axis.nodes[axis.edges[:, 0]] - axis.nodes[axis.edges[:, 1]]).T)
+    steps = axis.lengths
     for offset in offsets:
         disc = np.pi * offset**2
         mask = (below > offset) & (axis.clearance >= offset)

@@ -54,10 +54,9 @@ def joined(axis: Skeleton, pieces: Sequence[NDArray[np.intp]]) -> list[Joint]:
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import dijkstra
 
-    a, b = axis.edges.T
     n = len(axis.nodes)
-    lengths = np.hypot(*(axis.nodes[a] - axis.nodes[b]).T)
-    graph = coo_array((np.maximum(lengths, 1e-9), (a, b)), shape=(n, n)).tocsr()
+    lengths = np.maximum(axis.lengths, 1e-9)
+    graph = coo_array((lengths, tuple(axis.edges.T)), shape=(n, n)).tocsr()
     owner = np.full(n, -1)
     owner[pieces[0]] = 0
     waiting = set(range(1, len(pieces)))

@@ -73,19 +73,23 @@ def spanning_tree(count: int, edges: NDArray[np.intp], lengths: Floats) -> NDArr
         Some of `edges`, in their order.
     """
     root = list(range(count))
-
-    def root_of(node: int) -> int:
-        while root[node] != node:
-            root[node] = node = root[root[node]]
-        return node
-
     taken = []
     for i in np.argsort(lengths.round(6), kind="stable").tolist():
-        a, b = (root_of(int(node)) for node in edges[i])
+        a, b = (root_of(root, int(node)) for node in edges[i])
         if a != b:
             root[a] = b
             taken.append(i)
     return edges[np.sort(np.array(taken, np.intp))]
+
+
+def root_of(parents: list[int] | dict[int, int], node: int) -> int:
+    """Return the root of the tree that a node is in; what is passed comes nearer to it.
+
+    `parents` has the parent of each node, roots being their own.
+    """
+    while parents[node] != node:
+        parents[node] = node = parents[parents[node]]
+    return node
 
 
 def delaunay_triangles(points: Floats) -> NDArray[np.intp]:

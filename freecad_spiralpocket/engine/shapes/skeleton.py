@@ -65,6 +65,11 @@ class Skeleton:
     edges: NDArray[np.intp]
     walls: Floats
 
+    @property
+    def lengths(self) -> Floats:
+        """Return the length of each edge, shape (m,) [mm]."""
+        return np.hypot(*(self.nodes[self.edges[:, 0]] - self.nodes[self.edges[:, 1]]).T)
+
 
 def medial_axis(region: Polygon, channel: float | None = None) -> Skeleton:
     """Return the medial axis of a region, without the branches to blunt corners.
@@ -202,36 +207,38 @@ def without_spurs(axis: Skeleton, edges: Edges, share: float) -> Edges:
     share : float
         Shortest branch that stays, over the clearance of its junction.
     """
+    neighbors = neighbors_of(edges)
+    while spurs := spurs_of(axis, neighbors, share):
+        for a, b in pairwise(spurs[0]):
+            neighbors[a].discard(b)
+            neighbors[b].discard(a)
+    return [(a, b) for a, near in neighbors.items() for b in near if a < b]
+
+
+def neighbors_of(edges: Edges) -> dict[int, set[int]]:
+    """Return the nodes beside each node."""
     neighbors: dict[int, set[int]] = {}
     for a, b in edges:
         neighbors.setdefault(a, set()).add(b)
         neighbors.setdefault(b, set()).add(a)
-
-    def length(branch: list[int]) -> float:
-        return float(np.hypot(*np.diff(axis.nodes[branch], axis=0).T).sum())
-
-    while True:
-        branches = [_branch(tip, neighbors) for tip, near in neighbors.items() if len(near) == 1]
-        spurs = [
-            s
-            for s in branches
-            if len(neighbors[s[-1]]) > 2 and length(s) < share * axis.clearance[s[-1]]
-        ]
-        if not spurs:
-            return [(a, b) for a, near in neighbors.items() for b in near if a < b]
-        shortest: list[int] = min(spurs, key=length)
-        for a, b in pairwise(shortest):
-            neighbors[a].discard(b)
-            neighbors[b].discard(a)
+    return neighbors
 
 
-def _branch(tip: int, neighbors: dict[int, set[int]]) -> list[int]:
-    """Return the nodes from a tip to the next junction or tip."""
-    branch = [tip, *neighbors[tip]]
-    while len(neighbors[branch[-1]]) == 2:
-        (ahead,) = neighbors[branch[-1]] - {branch[-2]}
-        branch.append(ahead)
-    return branch
+def spurs_of(axis: Skeleton, neighbors: dict[int, set[int]], share: float) -> list[list[int]]:
+    """Return the nodes of the branches that end short of their junction, the shortest first.
+
+    Each from its tip; `neighbors` are those of all nodes, `share` is as in `without_spurs`.
+    """
+    spurs = []
+    for tip in (node for node, near in neighbors.items() if len(near) == 1):
+        branch = [tip, *neighbors[tip]]
+        while len(neighbors[branch[-1]]) == 2:
+            (ahead,) = neighbors[branch[-1]] - {branch[-2]}
+            branch.append(ahead)
+        length = float(np.hypot(*np.diff(axis.nodes[branch], axis=0).T).sum())
+        if len(neighbors[branch[-1]]) > 2 and length < share * axis.clearance[branch[-1]]:
+            spurs.append((length, branch))
+    return [branch for _, branch in sorted(spurs, key=lambda spur: spur[0])]
 
 
 def longest_path(axis: Skeleton, edges: Edges) -> Floats:
