@@ -54,6 +54,9 @@ from .toolpath import Toolpath
 
 #: Points of an outline that matter less than this are left out where most do [mm].
 CROWD = 5e-4
+#: That no lap is as wide as the step-over is told where that is wider by this: else both are nearly
+#: the same percentage.
+WIDER = 1.02
 
 
 def plan(
@@ -139,7 +142,7 @@ def _rooms_with_stock(request: PocketRequest) -> tuple[list[Room], list[Notice]]
 def _width_notices(request: PocketRequest) -> list[Notice]:
     """Return what is to be told if no lap will be as wide as the step-over."""
     widest, asked = MEETING * request.cutter_radius, request.cutting.stepover
-    if request.strategy is not Strategy.AUTOMATIC or asked < 1.02 * widest:
+    if request.strategy is not Strategy.AUTOMATIC or asked < WIDER * widest:
         return []
     percent = 100 / request.tool_diameter
     return [

@@ -77,6 +77,9 @@ SCRAP = 0.35
 RIBS = 0.1
 #: An opening may take so much of a free tip, over the fillet.
 TIP_HEIGHT = 0.01
+#: Where all corners that it takes are nearer to walls than this over the fillet there is no such
+#: tip, and no piece need be looked at.
+AT_WALL = 0.4
 #: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
 #: fillet's: a corner of 30 degrees just holds that.
 ROOM = 0.6
@@ -96,7 +99,7 @@ def _filleted(shape: Region, fillet: float, omega: Polygon) -> Region:
     shapely.prepare(kept)
     points = shapely.get_coordinates(shape)
     points = points[~shapely.contains_xy(kept, points)]
-    if len(points) == 0 or are_near_walls(omega, points, 0.4 * fillet).all():
+    if len(points) == 0 or are_near_walls(omega, points, AT_WALL * fillet).all():
         return opened
     # where edges nearly are the same GEOS takes ten times as long
     if len(_free_parts(shapely.difference(shape, grow_coarsely(opened, INSIDE)), omega)):
@@ -123,7 +126,7 @@ def _stepped_ring(
     bend = np.roll(soft, -1, axis=0) - 2 * soft + np.roll(soft, 1, axis=0)
     speed = np.hypot(tangent[:, 0], tangent[:, 1]) + 1e-12
     curvature = (tangent[:, 0] * bend[:, 1] - tangent[:, 1] * bend[:, 0]) / speed**3
-    on_wall = are_near_walls(omega, points, 0.02)
+    on_wall = are_near_walls(omega, points, TOUCHES)
     curvature = np.where(on_wall, 0.0, curvature)
     near, far = (max(3, round(2 * w * rules.cutter_radius / spacing) | 1) for w in (REACH, FAR))
     convex = highest(curvature, near, closed=True)
@@ -267,7 +270,7 @@ def _without_scraps(grown: Polygon, visited: Polygon, omega: Polygon, rules: Fro
     coords, piece = shapely.get_coordinates(pieces, return_index=True)
     thin = np.ones(len(pieces), dtype=bool)
     thin[piece[~are_within(visited, coords, SCRAP * rules.stepover)]] = False
-    thin &= shapely.dwithin(pieces, omega.boundary, 0.02)
+    thin &= shapely.dwithin(pieces, omega.boundary, TOUCHES)
     if not thin.any():
         return grown
     return largest(shapely.difference(grown, shapely.union_all(pieces[thin])))

@@ -24,7 +24,7 @@ from ..model import Floats
 from ..opening.entry import NARROWEST, NoRoomForHelixError, fit_helix_radius
 from ..opening.start import slot_bite
 from ..shapes.region import grow, polygons_of, widest_disc
-from ..shapes.shaping import largest
+from ..shapes.shaping import SLIVER, largest
 from .family import Family, Room, distances, points_of
 from .isotherms import isotherms
 from .nested import Lap
@@ -105,7 +105,7 @@ def _is_thin(region: Polygon, width: float, deep: Floats) -> bool:
         return False
     rough = shapely.simplify(region, THIN_SLACK)
     swept = shapely.buffer(rough.exterior, width, quad_segs=16)
-    return bool(shapely.difference(rough, swept).area < 1e-3)
+    return bool(shapely.difference(rough, swept).area < SLIVER)
 
 
 def _width(family: Family, core: Polygon) -> float:
@@ -197,7 +197,7 @@ def slots_for(
     reached = shapely.buffer(shapely.union_all(rooms), step, quad_segs=8)
     laps = []
     for piece in polygons_of(shapely.difference(room.region, reached)):
-        if piece.area < 1e-3:
+        if piece.area < SLIVER:
             continue
         far = distances(points_of(piece), rooms).max()
         # a neck is about twice as long as its middle is far from the rooms; else it is no neck
@@ -231,6 +231,6 @@ def _slot_about(
             continue
         left = shapely.difference(piece, grow(parts[0], family.stepover / 2))
         middle = shapely.get_coordinates(shapely.point_on_surface(parts[0]))[0]
-        if left.area < 1e-3 and _is_thin(parts[0], CLEARED * radius, middle):
+        if left.area < SLIVER and _is_thin(parts[0], CLEARED * radius, middle):
             return parts[0]
     return None

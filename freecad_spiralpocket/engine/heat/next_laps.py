@@ -25,6 +25,9 @@ from .nested import Lap
 BISECTIONS, FIRST_SHARE, CLOSE, THINNED = 14, 0.08, 0.97, 5
 #: Refitted laps may be farther apart by this factor.
 REFITTED = 1.02
+#: A step after which laps are too far apart is made shorter by this until they are not: each is
+#: refitted, which takes long.
+LESS = 0.95
 #: A step of less than this share of the temperature left is no step.
 LEAST_STEP = 2e-3
 #: Below this share laps may creep along a neck; there these steps are tried with slots.
@@ -64,10 +67,10 @@ def rooms_about(family: Family, hot: Polygon, room: Room, points: Floats) -> lis
             rooms = [one for one in rooms if holds(one.region, hot)]
         if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
             return rooms
-        share *= 0.95
+        share *= LESS
         # refitting takes long; no refitted lap is as much nearer
         while share > LEAST_HOT and off_laps(share) > REFITTED * family.stepover + slack(family):
-            share *= 0.95
+            share *= LESS
     return []
 
 
@@ -104,7 +107,7 @@ def inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
         rooms = rooms_at(family, room, level(low))
         if distances(points, [r.region for r in rooms]).max() <= REFITTED * family.stepover:
             return rooms, []
-        low *= 0.95
+        low *= LESS
     for share in NECK_STEPS:
         lines = isotherms(family, room, level(share))
         slots = slots_for(family, room, lines, must_pay=False, any_shape=True)

@@ -51,8 +51,9 @@ from ..opening.starts import candidates
 from ..shapes.points import unit
 from ..shapes.shaping import grow_coarsely, largest, slim_region, thick_parts
 
-#: A start is given up that needs more levels than this over the best.
-HOPELESS_LEVELS = 1.8
+#: A start is given up that needs more levels than the first over the best, and than the second:
+#: `FEW` step-overs are always worth simulating, and take some levels more, those of corners.
+HOPELESS_LEVELS, FEW_LEVELS = 1.8, FEW + 6
 #: What a front leaves takes longer by this than the least: in 28 starts beside the first of their
 #: pockets, wherever these were grown to their end, it was never below 1.4.
 LIKELY = 1.3
@@ -158,7 +159,7 @@ def _fastest(
         toll = CHANNEL_TOLL if _is_channel(corners, rules) else 1.0
         if start.within is not None:
             fronts = _with_corners(fronts, start.within, within, rules)
-        most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW + 6))
+        most = min(most, max(int(HOPELESS_LEVELS * len(fronts)), FEW_LEVELS))
         strokes = strokes_in_stock(strokes_of(fronts), start.idle)
         # no links can make up for entry, cuts and turns back that take longer already
         at_least = entry + least_seconds(strokes, motion)

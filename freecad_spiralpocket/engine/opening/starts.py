@@ -27,7 +27,7 @@ from ..floor import Groove, Helix, Slot
 from ..growth.spiral import BLEND, between
 from ..model import Floats, PocketRequest
 from ..shapes.polyline import closed_line
-from ..shapes.shaping import grow_coarsely, largest, oriented
+from ..shapes.shaping import SLIVER, grow_coarsely, largest, oriented
 from ..shapes.skeleton import (
     Edges,
     Skeleton,
@@ -273,7 +273,7 @@ def leaves_no_post(
     ring = LineString(shapely.simplify(visited.exterior, 0.01).coords)
     swept = shapely.buffer(ring, request.cutter_radius, quad_segs=16)
     standing = shapely.difference(Polygon(visited.exterior), shapely.union_all([swept, *islands]))
-    return bool(standing.area < 1e-3)
+    return bool(standing.area < SLIVER)
 
 
 def _slot_start(name: str, visited: Polygon, omega: Polygon, request: PocketRequest) -> Start:
