@@ -38,8 +38,8 @@ CLEAR = 0.01
 ROOM, BEFORE = 0.1, 0.5
 #: The air that counts as visited reaches so far, over R: farther than any fillet or closing.
 MARGIN = 4.0
-#: A stroke along a wall may be beyond it by the first, as rounding has it [mm]. Where one is cut off
-#: it ends the second beyond it: from there links are still within the region.
+#: A stroke along a wall may be beyond it by the first, as rounding has it [mm]. One that is cut off
+#: ends the second beyond it, from where links are still within the region.
 ALONG, BEYOND = 0.005, 0.002
 #: From so many sides peeling is tried, the widest ones.
 TRIED = 2
