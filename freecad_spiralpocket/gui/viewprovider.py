@@ -24,7 +24,7 @@ from ..op.operation import required_job
 from .command import ICON
 from .compat import INACTIVE_ICON, PathOpGui, PathSelection, PathUtils
 from .panel.operation_page import OperationPage
-from .panel.task_panel import TaskPanel, remove_left
+from .panel.task_panel import TaskPanel, remove_left, take_back
 from .planning import progress
 from .qt.later import later
 from .resources import RESOURCES
@@ -74,8 +74,9 @@ class ViewProvider(PathOpGui.ViewProvider):
         """Open the panel."""
         if mode != 0:
             return False
-        remove_left()  # before this panel begins a step to undo
         obj = (vobj or self.vobj).Object
+        is_left = take_back(obj)
+        remove_left()  # before this panel begins a step to undo
         try:
             _require_job(obj)
             check_expressions(obj)  # FreeCAD's pages raise, and leave the rest of the panel empty
@@ -88,7 +89,7 @@ class ViewProvider(PathOpGui.ViewProvider):
         page = OperationPage(obj, 0)
         page.setTitle(translate("SpiralPocket", "Spiral Pocket"))
         page.setIcon(self.OpIcon)
-        is_new = self.deleteObjectsOnReject()
+        is_new = self.deleteObjectsOnReject() or is_left
         self.deleteOnReject = False
         self.setupTaskPanel(TaskPanel(obj, is_new, page, self.getSelectionFactory()))
         return True

@@ -194,6 +194,24 @@ def test_new_operation_goes_when_another_is_edited(doc, job, operation, floor):
     assert job.Operations.Group == [operation] and operation.StepOver != 15
 
 
+@pytest.mark.parametrize("button", [OK, CANCEL])
+def test_new_operation_stays_when_it_is_edited_again_at_once(doc, job, floor, button):
+    before = doc.Objects
+    select(floor)
+    press_toolbar_button()
+    edit(only_operation(job))
+    assert is_panel_open() and len(job.Operations.Group) == 1
+    widget("stepOverPercent").setValue(33)
+    press(button)
+    wait_for(lambda: not is_panel_open())
+    if button == OK:
+        made = only_operation(job)
+        assert made.StepOver == 33 and cut_moves(made)
+    else:
+        assert doc.Objects == before
+    assert FreeCAD.getActiveTransaction() is None
+
+
 def test_deleting_the_operation_with_the_panel_open_closes_it(doc, job, operation):
     edit(operation)
     doc.removeObject(operation.Name)

@@ -253,6 +253,17 @@ class TaskPanel(PathOpGui.TaskPanel):
 LEFT: list[TaskPanel] = []
 
 
+def take_back(obj: Any) -> bool:
+    """Keep a new operation that FreeCAD has left to edit it at once again; return whether it has.
+
+    As by a double click while its panel is open.
+    """
+    panel = next((panel for panel in LEFT if panel.obj == obj), None)
+    if panel is not None:
+        LEFT.remove(panel)
+    return panel is not None
+
+
 def remove_left() -> None:
     """Remove the new operations that FreeCAD has left."""
     while LEFT:
