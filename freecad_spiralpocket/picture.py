@@ -81,7 +81,7 @@ def draw(plans: Sequence[Plan], path: str | os.PathLike[str], title: str = "") -
     _draw_engagement(figure, axes, plans)
     _finish(axes, title)
     try:
-        figure.savefig(path)
+        figure.savefig(path, bbox_inches="tight")  # labels beside wide axes are cut off else
     except OSError as error:
         raise SetupError(
             f"Cannot write {path}: {error.strerror}.", "Choose another file."

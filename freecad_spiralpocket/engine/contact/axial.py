@@ -59,7 +59,7 @@ def standing_share(
     rows, at, low, high = rows[order], at[order], low[order], high[order]
     rank = _ranks(rows, at)
     by_rank = np.argsort(rank, kind="stable")
-    ends = np.cumsum(np.bincount(rank)) if len(rank) else np.zeros(0, np.int64)
+    ends = np.cumsum(np.bincount(rank))
     before, rest = np.arange(n), gaps
     # each sample's own heights one after the other, the lowest of all samples at once
     for here in np.split(by_rank, ends[:-1]) if len(ends) else []:
