@@ -304,6 +304,14 @@ def test_manifest_names_files_that_exist():
         assert (ROOT / name).is_file(), name
 
 
+def test_manifest_names_the_libraries_that_the_package_imports():
+    named = {depend.text for depend in MANIFEST.findall("p:depend", NAMESPACE)}
+    known = set().union(*ALLOWED.values())
+    ours = {name for name in known if name.startswith(OURS)}
+    # contourpy comes with matplotlib, area with FreeCAD
+    assert named == known - ours - STANDARD - FREECAD - WINDOW - {"contourpy", "area"}
+
+
 def test_files_start_with_their_license():
     files = [ROOT / "Init.py", ROOT / "InitGui.py"]
     for folder in (OURS, "benchmarks", "examples", "tests"):
