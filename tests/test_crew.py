@@ -18,6 +18,7 @@ from shapes import request
 from freecad_spiralpocket.beside import crew, tasks
 from freecad_spiralpocket.beside.crew import plan_together
 from freecad_spiralpocket.beside.interpreters import Interpreters
+from freecad_spiralpocket.beside.messages import Mailbox, framed
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import CancelledError, SpiralPocketError
 from freecad_spiralpocket.engine.model import Cutting, Heights, Section, Strategy
@@ -108,11 +109,11 @@ def test_pocket_of_a_process_that_ends_is_planned_here(alone, monkeypatch):
 def test_pocket_of_a_helper_that_fails_is_planned_here(alone, monkeypatch):
     receive, heard = crew._received, []
 
-    def only_once(process):
+    def only_once(process, mailbox):
         heard.append(process)
         if len(heard) > 1:
             raise MemoryError
-        return receive(process)
+        return receive(process, mailbox)
 
     monkeypatch.setattr(threading, "excepthook", lambda _: None)
     monkeypatch.setattr(crew, "_received", only_once)
@@ -218,3 +219,20 @@ def test_stopping_ends_the_processes_of_levels(monkeypatch):
         plan_together([fine], progress, helpers=1)
     (process,) = processes
     assert process.wait(5) is not None
+
+
+def test_messages_come_in_pieces():
+    sent = framed("ready", ("1", "2")) + framed("progress", 0.5, "Laying")
+    mailbox, taken = Mailbox(), []
+    for byte in sent:
+        mailbox.put(bytes([byte]))
+        message = mailbox.take()
+        taken += [] if message is None else [message]
+    assert taken == [("ready", ("1", "2")), ("progress", 0.5, "Laying")]
+
+
+def test_what_is_no_message_is_refused():
+    mailbox = Mailbox()
+    mailbox.put(b"Segmentation fault")
+    with pytest.raises(ValueError, match="no message"):
+        mailbox.take()

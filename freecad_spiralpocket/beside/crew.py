@@ -10,8 +10,8 @@ lost. A process that ends too early or fails puts its job back, and it is done h
 from __future__ import annotations
 
 import contextlib
+import os
 import pickle
-import struct
 import subprocess
 import sys
 import threading
@@ -27,11 +27,13 @@ from ..engine.floor import FloorPath
 from ..engine.floor_paths import floor_path
 from ..engine.model import Plan, PocketRequest, Progress, Tick
 from .interpreters import SCRIPT, Interpreters, cores
+from .messages import Mailbox, Message
+from .progress import stage_among
 from .tasks import versions
 
 #: Processes beside this one: a core each, but some memory too.
 HELPERS = min(7, cores() - 1)
-LONGEST = 1 << 32  # bytes of a message: more is no message of ours
+PIECE = 1 << 16  # bytes read at once
 WAIT = 0.05  # s, how often this process asks whether to stop while it waits for others
 
 
@@ -197,9 +199,8 @@ class _Work:
 
     def how_far(self, stage: str) -> tuple[float, str]:
         """Return the share of all that is done, and the stage with the number of the pocket."""
-        count = len(self.jobs)
         done = sum(outcome is not None for outcome in self._outcomes)
-        return self.share, f"Pocket {min(done + 1, count)} of {count}: {stage}"
+        return self.share, stage_among(done, len(self.jobs), stage)
 
     def progress_of(self, number: int, progress: Progress | None) -> Progress | None:
         """Return the progress of one of them as a part of the whole."""
@@ -220,6 +221,7 @@ class _Helper(threading.Thread):
         super().__init__(daemon=True)
         self._work, self._versions = work, versions
         self._process: subprocess.Popen[bytes] | None = None
+        self._mailbox = Mailbox()
         self._is_stopped = False
 
     def run(self) -> None:
@@ -249,7 +251,7 @@ class _Helper(threading.Thread):
             )
         except OSError:
             return False
-        self._process = process
+        self._process, self._mailbox = process, Mailbox()
         try:
             if self._is_stopped or not self._is_ready(process):
                 return False
@@ -263,7 +265,7 @@ class _Helper(threading.Thread):
     def _is_ready(self, process: subprocess.Popen[bytes]) -> bool:
         """Return whether a process works at all, and as this one does."""
         _send(process, [p for p in sys.path if isinstance(p, str)])
-        return _received(process) == ("ready", self._versions)
+        return _received(process, self._mailbox) == ("ready", self._versions)
 
     def _has_done(self, process: subprocess.Popen[bytes], number: int) -> bool:
         """Have a job done; return whether that went well, else it is put back."""
@@ -282,7 +284,7 @@ class _Helper(threading.Thread):
         self, process: subprocess.Popen[bytes], number: int
     ) -> bytes | SpiralPocketError | None:
         """Wait for the outcome; None if the process is gone or has come upon an error in itself."""
-        while (message := _received(process)) is not None:
+        while (message := _received(process, self._mailbox)) is not None:
             kind, *content = message
             if kind == "progress":
                 self._work.advance(number, content[0])
@@ -299,14 +301,14 @@ def _send(process: subprocess.Popen[bytes], record: Any) -> None:
         process.stdin.flush()
 
 
-def _received(process: subprocess.Popen[bytes]) -> tuple[Any, ...] | None:
-    """Return the next message; None if the process is gone, or none of ours."""
+def _received(process: subprocess.Popen[bytes], mailbox: Mailbox) -> Message | None:
+    """Wait for the next message; None if the process is gone, or what it sends is none of ours."""
     assert process.stdout is not None
-    head = process.stdout.read(8)
-    if len(head) < 8:
-        return None
-    (length,) = struct.unpack("<Q", head)
-    if length > LONGEST:
-        return None
-    data = process.stdout.read(length)
-    return pickle.loads(data) if len(data) == length else None
+    with contextlib.suppress(ValueError):
+        while (message := mailbox.take()) is None:
+            piece = os.read(process.stdout.fileno(), PIECE)
+            if not piece:
+                return None
+            mailbox.put(piece)
+        return message
+    return None

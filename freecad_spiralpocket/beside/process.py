@@ -3,17 +3,15 @@
 
 Standard input brings pickled records one after the other: first FreeCAD's `sys.path`,
 then ``(task, argument)`` pairs, each after the last one's end; None in between gives the
-running task up. Standard output takes messages, each a length of eight bytes and a
-pickle: ``("ready", versions)`` at the start, then for each task
-``("progress", fraction, stage)`` any number of times and at last ``("done", result)``,
-``("error", error)`` with what the machinist is told, or ``("crash", traceback)``. It ends
-with its input; to stop it at once, kill it.
+running task up. Standard output takes messages (messages.py): ``("ready", versions)`` at
+the start, then for each task ``("progress", fraction, stage)`` any number of times and at
+last ``("done", result)``, ``("error", error)`` with what the machinist is told, or
+``("crash", traceback)``. It ends with its input; to stop it at once, kill it.
 """
 
 import os
 import pickle
 import queue
-import struct
 import sys
 import threading
 import time
@@ -38,15 +36,14 @@ def main():
         os.nice(PATIENCE)
     outbox = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # whatever a library prints goes to stderr
-
-    def send(*message):
-        data = pickle.dumps(message, pickle.HIGHEST_PROTOCOL)
-        outbox.write(struct.pack("<Q", len(data)) + data)
-        outbox.flush()
-
     sys.path[:] = pickle.load(sys.stdin.buffer)
+    from freecad_spiralpocket.beside.messages import framed
     from freecad_spiralpocket.beside.tasks import Tasks, versions
     from freecad_spiralpocket.engine.errors import SpiralPocketError
+
+    def send(*message):
+        outbox.write(framed(*message))
+        outbox.flush()
 
     tasks = Tasks()
     send("ready", versions())

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ...beside.interpreters import cores
+from ...beside.progress import stage_among
 from ...beside.tasks import Drawn
 from ...engine.errors import SpiralPocketError, report_progress
 from ...engine.model import Plan, PocketRequest, Progress
@@ -86,8 +87,5 @@ def _how_far(jobs: Sequence[Job]) -> tuple[float, str]:
     """Return the share of all jobs that is done, and what is being done."""
     fraction = sum(job.fraction for job in jobs) / len(jobs)
     busy = next((job for job in jobs if not job.is_done and job.stage), None)
-    stage = busy.stage if busy else ""
-    if len(jobs) > 1:
-        done = sum(job.is_done for job in jobs)
-        stage = f"Pocket {min(done + 1, len(jobs))} of {len(jobs)}: {stage}"
-    return fraction, stage
+    done = sum(job.is_done for job in jobs)
+    return fraction, stage_among(done, len(jobs), busy.stage if busy else "")

@@ -15,7 +15,6 @@ from __future__ import annotations
 import gc
 import pickle
 import queue
-import struct
 import sys
 import threading
 import traceback
@@ -25,13 +24,13 @@ from typing import Any
 from PySide import QtCore
 
 from ...beside.interpreters import SCRIPT, Interpreters
+from ...beside.messages import Mailbox, Message
 from ...beside.tasks import Tasks, versions
 from ...engine.model import Progress
 from ..qt.later import later
 
-#: What a worker tells: "progress", "done", "error", "crash" as in `beside.process`; ("gone", text)
-#: when its process ended by itself, ("unusable",) when it cannot work at all.
-Message = tuple[Any, ...]
+#: Is told "progress", "done", "error", "crash" as in `beside.process`; ("gone", text) when a
+#: process ended by itself, ("unusable",) when it cannot work at all.
 Listener = Callable[[Message], None]
 
 PATIENT = "--patient"
@@ -56,7 +55,7 @@ class ProcessWorker:
         self.python = python
         self._listener = listener
         self._is_ready = False
-        self._received = bytearray()
+        self._mailbox = Mailbox()
         self._process = QtCore.QProcess()
         self._process.readyReadStandardOutput.connect(self._read)
         self._process.finished.connect(self._end)
@@ -88,19 +87,20 @@ class ProcessWorker:
         self._process.write(pickle.dumps(record, pickle.HIGHEST_PROTOCOL))
 
     def _read(self) -> None:
-        self._received += self._process.readAllStandardOutput().data()
-        while len(self._received) >= 8:
-            (length,) = struct.unpack_from("<Q", self._received)
-            if len(self._received) < 8 + length:
+        self._mailbox.put(self._process.readAllStandardOutput().data())
+        try:
+            while (message := self._mailbox.take()) is not None:
+                self._tell(message)
+        except ValueError:
+            self._listener(("unusable",))
+
+    def _tell(self, message: Message) -> None:
+        if message[0] == "ready":
+            self._is_ready = message[1] == versions()
+            message = ("unusable",)
+            if self._is_ready:
                 return
-            message = pickle.loads(bytes(self._received[8 : 8 + length]))
-            del self._received[: 8 + length]
-            if message[0] == "ready":
-                self._is_ready = message[1] == versions()
-                if not self._is_ready:
-                    self._listener(("unusable",))
-            else:
-                self._listener(message)
+        self._listener(message)
 
     def _end(self, *_: Any) -> None:
         errors = self._process.readAllStandardError().data().decode(errors="replace")
