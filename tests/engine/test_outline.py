@@ -92,7 +92,7 @@ def test_sharp_corners_are_rounded_and_cut(only_outline):
     sharp = box(0, 0, 40, 40)
     outline = outline_of(regions(sharp), R)
     corner = Point(R, R)
-    assert outline.ring.distance(corner) > 0.03
+    assert outline.ring.distance(corner) > 0.02
     made = plan(request(sharp, strategy=Strategy.AUTOMATIC))
     assert made.report.uncut_area < 0.01
     ends = made.toolpath.points[made.toolpath.roles == Role.ENTRY][:, :2]
@@ -130,8 +130,8 @@ def test_wall_is_no_boundary_of_the_region_to_grow_in(name):
     left = outline.omega.difference(outline.visited)
     assert region.buffer(1e-6).contains(left)
     assert left.area == pytest.approx(region.area, rel=0.01)
-    # at a corner of 71 degrees as far as a circle of 0.06 R stays off it
-    assert shapely.hausdorff_distance(outline.ring, region.exterior) < 0.3
+    # at a corner of 71 degrees as far as a circle of 0.02 R stays off it
+    assert shapely.hausdorff_distance(outline.ring, region.exterior) < 0.1
     assert not shapely.is_ccw(outline.ring)
 
 

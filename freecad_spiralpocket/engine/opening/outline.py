@@ -24,10 +24,11 @@ from ..model import Floats
 from ..shapes.region import polygons_of
 from ..shapes.shaping import CRACK, Region, are_within, grow_coarsely, largest, oriented, rim_points
 
-#: The slot rounds the wall's corners with at least the first of these radii, over R; with the next
-#: where one leaves more than `ACUTE` [mm]: the full width of the cutter goes into that, at the full
-#: depth. What is left of no more than `CRUMB` is nothing [mm].
-ROUNDINGS = (0.06, 0.02, 0.005, 0.002)
+#: The slot rounds the wall's corners with at least the first of these radii, over R: wider ones
+#: spare a machine little, and leave the last loop longer peaks. With the next where one leaves more
+#: than `ACUTE` [mm]: the full width of the cutter goes into that, at the full depth. What is left
+#: of no more than `CRUMB` is nothing [mm].
+ROUNDINGS = (0.02, 0.005, 0.002)
 CRUMB, ACUTE = 0.005, 0.5
 #: Width of the ground that the slot opens for the cutter's center [mm]: where its two sides just
 #: meet, as in a neck of twice the cutter's width, no film is left for a lap, and a thicker one is.

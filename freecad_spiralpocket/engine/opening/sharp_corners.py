@@ -21,7 +21,7 @@ from ..shapes.shaping import oriented
 #: What is nearer to the wall runs along it [mm].
 ON_WALL = 1e-3
 #: Corners are rounded by at least the first and at most the second [mm].
-SHALLOWEST, DEEPEST = 0.005, 0.5
+SHALLOWEST, DEEPEST = 0.003, 0.5
 #: A way through a corner is no farther from the way that rounds it, point by point [mm]. What is
 #: is no corner, but the mouth of a channel.
 BESIDE = 1.0
