@@ -16,8 +16,9 @@ from shapes import DUMBBELL, L_SHAPE, SQUARE, lifts, request, rounded
 
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.floor import Descent, Slot, Stairs
+from freecad_spiralpocket.engine.growth.corners import levels_from
 from freecad_spiralpocket.engine.growth.front_rules import WIDEST, rules_of
-from freecad_spiralpocket.engine.growth.fronts import FLAT, fronts_from
+from freecad_spiralpocket.engine.growth.fronts import FLAT
 from freecad_spiralpocket.engine.growth.strokes import Stroke
 from freecad_spiralpocket.engine.laps import automatic
 from freecad_spiralpocket.engine.model import Cutting, Entry, Heights
@@ -253,9 +254,9 @@ def test_slot_without_stairs_is_only_grown_where_it_may_be_faster(monkeypatch):
 
     def counted(start, *rest):
         grown.append(start)
-        return fronts_from(start, *rest)
+        return levels_from(start, *rest)
 
-    monkeypatch.setattr(automatic, "fronts_from", counted)
+    monkeypatch.setattr(automatic, "levels_from", counted)
     made = plan(asked)
     few = len(grown)
     # all links spared: what stairs save never makes up for them

@@ -7,9 +7,11 @@ smallest fillet whose bite the engagement allows, the last into the corner itsel
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache, partial
+from itertools import islice
 
+import numpy as np
 import shapely
 from shapely import Polygon
 
@@ -24,10 +26,11 @@ from ..shapes.shaping import (
     opening_of,
     oriented,
     rim_points,
+    simplified_region,
     thick_parts,
 )
 from .front_rules import FrontRules
-from .fronts import MAX_FRONTS, NECK_FILLETS, advance_narrowly
+from .fronts import FLAT, MAX_FRONTS, NECK_FILLETS, advance_narrowly, fronts_from, leads_on
 
 #: Fillet radii tried in the corners, over R; the smallest whose bite keeps below a share of the
 #: step-over is taken at once.
@@ -45,6 +48,33 @@ AS_GOOD = 0.6
 AROUND = 0.1
 
 
+def levels_from(
+    start: Polygon,
+    omega: Polygon,
+    rules: FrontRules,
+    idle: Sequence[Polygon] = (),
+    known: Sequence[Polygon] = (),
+) -> Iterator[tuple[Polygon, bool]]:
+    """Yield the fronts from a start to the end of every corner, and which only finish corners.
+
+    Steps into corners also go through channels that no front enters; beyond one fronts go on.
+
+    The parameters are those of `fronts_from`, which yields the first of these.
+    """
+    first = 0
+    while True:
+        last = start
+        for last in islice(fronts_from(start, omega, rules, idle, known), first, None):
+            yield last, False
+        for finer in finish_corners(last, omega, rules):
+            yield finer, True
+            if leads_on(finer, omega, rules):
+                start, first, known = finer, 1, ()
+                break
+        else:
+            return
+
+
 def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Iterator[Polygon]:
     """Yield the levels that take the corners, each in as few steps as the limit allows."""
     for _ in range(MAX_FRONTS):
@@ -55,7 +85,8 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Itera
         narrow = lru_cache(partial(advance_narrowly, visited, omega, rules))
         pieces = [_corner_step(piece, visited, omega, rules, narrow) for piece in rest]
         wider = shapely.union_all([visited, *pieces])
-        wider = oriented(largest(closing_of(wider, 1e-4)))
+        # unless points are left out as in other fronts there are more with every level of a channel
+        wider = oriented(simplified_region(largest(closing_of(wider, 1e-4)), FLAT))
         if wider.area - visited.area < 1e-4:
             return
         yield wider
@@ -66,6 +97,13 @@ def finish_corners(visited: Polygon, omega: Polygon, rules: FrontRules) -> Itera
 def _filleted(omega: Polygon, radius: float) -> Region:
     """Return a region with its corners rounded by a radius [mm]."""
     return opening_of(omega, radius)
+
+
+def _is_room(piece: Region, visited: Polygon, stepover: float) -> bool:
+    """Return whether a piece whose rim is within one step is deeper inside, as one all around."""
+    if piece.area < np.pi * stepover**2:
+        return False
+    return bool(shapely.difference(piece, grow_prepared(visited, stepover)).area > SLIVER)
 
 
 def _corner_step(
@@ -94,7 +132,9 @@ def _corner_step(
         if taken.area > SLIVER and are_within(visited, corners, limit).all():
             # a channel has no corners but at its mouths
             rim, _ = rim_points(taken, rules.stepover)
-            if are_within(visited, rim, rules.stepover).all():
+            if are_within(visited, rim, rules.stepover).all() and not _is_room(
+                taken, visited, rules.stepover
+            ):
                 return taken
     # deeper than any fillet: an ordinary front, or one step into it that leaves walls at an angle
     wider = grow_prepared(visited, bite * rules.stepover)

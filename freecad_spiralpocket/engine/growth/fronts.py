@@ -309,10 +309,21 @@ def advance_narrowly(visited: Polygon, omega: Polygon, rules: FrontRules, share:
     return advance(visited, omega, replace(rules, fillet=share * rules.fillet))
 
 
+def leads_on(visited: Polygon, omega: Polygon, rules: FrontRules) -> bool:
+    """Return whether there is a room ahead into which an ordinary front goes on."""
+    if not _has_room(shapely.difference(omega, visited), rules):
+        return False
+    return not _has_stalled(advance(visited, omega, rules), visited, rules)
+
+
+def _has_room(rest: Region, rules: FrontRules) -> bool:
+    """Return whether what is left is more than corners."""
+    return not shapely.buffer(rest, -ROOM * rules.fillet).is_empty
+
+
 def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon | None:
     """Return the next front where only a neck too narrow for the fillet leads on, or None."""
-    rest = shapely.difference(omega, visited)
-    if shapely.buffer(rest, -ROOM * rules.fillet).is_empty:
+    if not _has_room(shapely.difference(omega, visited), rules):
         return None
     for share in NECK_FILLETS:
         grown = advance_narrowly(visited, omega, rules, share)

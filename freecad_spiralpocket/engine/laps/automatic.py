@@ -10,7 +10,7 @@ The way that takes least time on the machine is chosen: simulated, never by rule
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
 
@@ -20,9 +20,9 @@ from shapely import LineString, Polygon
 
 from ..errors import CutterDoesNotFitError, NotYetError
 from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
-from ..growth.corners import finish_corners
+from ..growth.corners import finish_corners, levels_from
 from ..growth.front_rules import WIDEST, FrontRules, rules_of
-from ..growth.fronts import MAX_FRONTS, fronts_from, without_idle_holes
+from ..growth.fronts import MAX_FRONTS, without_idle_holes
 from ..growth.lap_width import STRETCH
 from ..growth.spiral import between
 from ..growth.stroke_runs import Run, runs_of
@@ -288,7 +288,8 @@ def _grown(
     fronts: list[Polygon] = []
     strokes: list[Stroke] = []
     corners = 0
-    for front, is_corner in _levels(start, rules):
+    levels = levels_from(start.visited, start.omega, rules, start.idle, start.fronts)
+    for front, is_corner in levels:
         tick()
         fronts.append(front)
         corners += is_corner
@@ -312,15 +313,6 @@ def _least_left(front: Polygon, start: Start, rules: FrontRules, motion: Motion)
     idle += sum(ground.area for ground in start.idle if not front.contains(ground))
     widest = WIDEST * STRETCH * rules.stepover
     return float(max(0.0, start.omega.area - front.area - idle) / widest / motion.cut_feed)
-
-
-def _levels(start: Start, rules: FrontRules) -> Iterator[tuple[Polygon, bool]]:
-    """Yield the fronts of a start one after the other, and whether each only finishes corners."""
-    front = start.visited
-    for front in fronts_from(start.visited, start.omega, rules, start.idle, start.fronts):
-        yield front, False
-    for finer in finish_corners(front, start.omega, rules):
-        yield finer, True
 
 
 def _open_strokes(strokes: Sequence[Stroke]) -> int:

@@ -27,9 +27,9 @@ from shapely import LineString, Polygon
 
 from ..errors import NotYetError
 from ..floor import FloorPath
-from ..growth.corners import finish_corners
+from ..growth.corners import levels_from
 from ..growth.front_rules import rules_of
-from ..growth.fronts import MAX_FRONTS, fronts_from
+from ..growth.fronts import MAX_FRONTS
 from ..growth.stroke_runs import runs_of
 from ..growth.strokes import Stroke, strokes_of
 from ..links.cleared import ClearedMap, pixel_of
@@ -142,7 +142,7 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
             fronts.append(oriented(shapely.simplify(visited, 0.002)))
     turns = len(fronts) - 1
     rules = rules_of(request)
-    for front in islice(fronts_from(fronts[-1], region, rules), 1, None):
+    for front, _ in islice(levels_from(fronts[-1], region, rules), 1, None):
         tick(0.4)
         fronts.append(front)
         if len(fronts) > turns + MAX_FRONTS:
@@ -150,7 +150,6 @@ def lay(region: Polygon, request: PocketRequest, tick: Tick) -> Layout:
                 f"More than {MAX_FRONTS} laps are left beside the spirals.",
                 "Take a wider cutter or a larger step-over.",
             )
-    fronts += finish_corners(fronts[-1], region, rules)
     rest = [replace(s, level=s.level + turns) for s in strokes_of(fronts[turns:])]
     strokes = rest + [lap for _, lap in laps]
     radius = request.cutter_radius
