@@ -92,7 +92,7 @@ class Pockets:
         self._known = known or Known()
         firsts = copies.originals([plan.request for plan in earlier])
         self._earlier = [earlier[i] for i in dict.fromkeys(firsts)]
-        self._notices: list[Notice] = []
+        self._notices: list[tuple[str, Notice]] = []
         self._failures: list[tuple[str, SpiralPocketError]] = []
         self.plans: list[Plan] = []
         shapes = (getattr(model, "Shape", None) for model in parent_job(obj).Model.Group)
@@ -192,13 +192,14 @@ class Pockets:
         failed = [
             Notice(f"{e.message} This pocket is not cut.", e.hint, e.place) for e in self.errors
         ]
-        return [*failed, *self._general_notices([p.request for p in self.plans]), *self._notices]
+        general = self._general_notices([p.request for p in self.plans])
+        return [*failed, *general, *remarks.labelled(self._notices, len(self._selected))]
 
     def foreseen_notices(self, found: Sequence[Found]) -> list[Notice]:
         """Return what is known of `requests()` before anything is planned."""
         wanted = [each.wanted for each in found if isinstance(each.wanted, PocketRequest)]
         told = [notice for each in found for notice in self._remarks_on(each)]
-        return [*self._general_notices(wanted), *told]
+        return [*self._general_notices(wanted), *remarks.labelled(told, len(self._selected))]
 
     def _general_notices(self, wanted: Sequence[PocketRequest]) -> list[Notice]:
         """Return what concerns all pockets."""
@@ -330,10 +331,11 @@ class Pockets:
         """Add the plan of one pocket, and what is to be told of it."""
         self.plans.append(plan)
         self._notices += self._remarks_on(each)
-        self._notices += [self._labelled(each.floor, notice) for notice in plan.report.notices]
+        if each.floor is not None:
+            self._notices += [(each.floor.label, notice) for notice in plan.report.notices]
 
-    def _remarks_on(self, each: Found) -> list[Notice]:
-        """Return what is to be told of one pocket, whatever comes of its plan."""
+    def _remarks_on(self, each: Found) -> list[tuple[str, Notice]]:
+        """Return what is to be told of one pocket, with its label, whatever comes of its plan."""
         floor, _, kept_off, is_shared, wanted = each
         if floor is None or wanted is None:
             return []
@@ -350,13 +352,9 @@ class Pockets:
             found.append(remarks.overhang(kept_off))
         if self._obj.UseRestMachining:
             found.append(remarks.rest(rest.share_cleared(wanted)))
-        return [self._labelled(floor, notice) for notice in found]
-
-    def _labelled(self, floor: selection.Floor, notice: Notice) -> Notice:
-        """Return a notice that says of which pocket it is, if there are several."""
-        if len(self._selected) == 1:
-            return notice
-        return Notice(f"{floor.label}: {notice.message}", notice.hint, notice.place)
+        else:
+            found += remarks.ledges(wanted)
+        return [(floor.label, notice) for notice in found]
 
 
 def _is_cleared(outcome: Plan | SpiralPocketError) -> bool:

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import shapely
@@ -20,8 +23,31 @@ from .tools import BULL_NOSES, ROUND_TOOLS
 LEAST_SHARE = 0.001
 #: A smaller part of the floor under leaning walls is not told [mm2], nor a thinner one [mm].
 TOLD_OVERHANG, FILM = 0.5, 0.05
+#: A smaller ledge is not told [mm2].
+TOLD_LEDGE = 1.0
 #: A smaller part of a pocket beside the stock is not told [mm2].
 TOLD_BESIDE = 0.5
+
+
+def labelled(told: Sequence[tuple[str, Notice]], pockets: int) -> list[Notice]:
+    """Return notices, each once with the labels of the pockets that have it, if not all have it.
+
+    Parameters
+    ----------
+    told : sequence of (str, Notice)
+        The label of a pocket and what is to be told of it.
+    pockets : int
+        How many there are.
+    """
+    labels: dict[Notice, list[str]] = {}
+    for label, notice in told:
+        labels.setdefault(notice, []).append(label)
+    return [
+        replace(notice, message=f"{'; '.join(having_it)}: {notice.message}")
+        if len(having_it) < pockets
+        else notice
+        for notice, having_it in labels.items()
+    ]
 
 
 def setup(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:
@@ -215,6 +241,25 @@ def ends_higher(window: float, part: float, cut: float) -> Notice:
 def goes_on() -> Notice:
     """Tell that only a part of a floor is selected."""
     return Notice("The floor goes on beyond what is selected; that stays.", PICK_ALL)
+
+
+def ledges(wanted: PocketRequest) -> list[Notice]:
+    """Tell how much is cleared above ledges beside the floor, if that is more than the floor."""
+    more, lowest = 0.0, None
+    for above, level in pairwise(wanted.sections):
+        wider = above.pocket.area - (level.mouth or level.pocket).area
+        more += wider
+        if wider > TOLD_LEDGE:
+            lowest = above.z
+    if lowest is None or more < wanted.pocket.area:
+        return []
+    return [
+        Notice(
+            f"Above Z{lowest:.4g} also {told_area(more)} mm2 beside the selected floor are "
+            "cleared, down to ledges.",
+            "Where that is done already, lower StartDepth or set UseRestMachining.",
+        )
+    ]
 
 
 def overhung(outline: Polygon, pocket: Polygon) -> float:

@@ -25,9 +25,10 @@ from ..engine.errors import CutterDoesNotFitError
 from ..engine.levels import floors
 from ..engine.model import PocketRequest, Section
 from ..engine.shapes.region import polygons_of
+from .belonging import Belonging
 from .level import SAME_HEIGHT
 from .selection import Floor
-from .slices import ABOVE
+from .slices import ABOVE, place_on
 from .walls import Walls
 
 #: The height of a rim on a top that is not level is found as well as this [mm].
@@ -69,7 +70,8 @@ def fitted(
     low, stock = max(floor.z, wanted.floor), wanted.cutting.floor_stock
     ledges = [z + stock for z in shapes.ledges(low)]
     tops = [heights.start_depth, *floors(heights, stock, ledges)]
-    sections = shapes.sections(tops, {z: z - stock for z in ledges}, ALIKE * sag)
+    inset = wanted.cutter_radius + wanted.cutting.stock_to_leave
+    sections = shapes.sections(tops, {z: z - stock for z in ledges}, ALIKE * sag, inset)
     if any(s.pocket.is_empty for s in sections):  # of a floor as narrow as a hair
         raise _overhung(floor, walls)
     pocket = sections[-1].pocket
@@ -102,6 +104,7 @@ class _Shapes:
         self._rim = self._open_from = float("inf")
         self._beside: dict[float, Polygon] = {}
         faces = [(o.z, o.face) for o in others if o.part.isSame(floor.part)]
+        self._places = [Point(place_on(face)) for _, face in faces]
         for z, place in self._flats:
             taken = any(abs(oz - z) < SAME_HEIGHT and _has(face, place, z) for oz, face in faces)
             if taken and self._widens(z, place):
@@ -150,7 +153,7 @@ class _Shapes:
         return found
 
     def sections(
-        self, tops: Sequence[float], ledges: Mapping[float, float], alike: float
+        self, tops: Sequence[float], ledges: Mapping[float, float], alike: float, inset: float
     ) -> tuple[Section, ...]:
         """Return the sections at all levels, those alike with one and the same polygon.
 
@@ -162,20 +165,39 @@ class _Shapes:
             Z of the ledge for each level that ends on one.
         alike : float
             How far alike sections may differ [mm].
+        inset : float
+            How far the cutter's center stays off the walls [mm].
         """
         levels = tops[1:]
         shapes = _nested([self.at(z) for z in levels])
-        mouths = [self.at(tops[0] - 2 * ABOVE), *shapes]
-        for i, z in enumerate(levels):
-            if z in ledges:
-                mouths[i + 1] = self.at(ledges[z] - 2 * ABOVE)
+        mouths = self._belonging(shapes, tops, ledges, inset)
         for i in range(len(levels) - 2, -1, -1):
             if _are_alike(shapes[i], shapes[i + 1], alike):
                 shapes[i] = shapes[i + 1]  # the lower one lies within the upper one
         return tuple(
             Section(z, shape, None if _are_alike(shape, mouth, alike) else mouth)
-            for z, shape, mouth in zip(levels, shapes, mouths[:-1], strict=True)
+            for z, shape, mouth in zip(levels, shapes, mouths, strict=True)
         )
+
+    def _belonging(
+        self,
+        shapes: list[Polygon],
+        tops: Sequence[float],
+        ledges: Mapping[float, float],
+        inset: float,
+    ) -> list[Polygon]:
+        """Leave out of the levels' shapes what is none of the pocket; return the levels' mouths."""
+        own, found = Belonging(shapes[-1], inset), {}
+        for i in range(len(shapes) - 1, -1, -1):
+            shapes[i] = own.of(shapes[i])
+            top, bottom = tops[i : i + 2]
+            just_below = ledges.get(top, top) - 2 * ABOVE
+            if i == 0 or top in ledges:
+                found[i] = own.reached(self.at(just_below))
+            if i > 0 and own.may_have_more(shapes[i - 1]):
+                ground = self._walls.ground(just_below if top in ledges else bottom)
+                own.leave_out(ground, shapes[i - 1], self._places)
+        return [found[i] if i in found else shapes[i - 1] for i in range(len(shapes))]
 
     def _widens(self, z: float, place: tuple[float, float]) -> bool:
         """Return whether a place is in the pocket just above Z `z`, but not just below."""

@@ -2,8 +2,8 @@
 """From what the user selected to floors of pockets, or a sentence that says why not.
 
 A floor is a flat, level face of a solid that looks up and has a wall rising from
-its outline, or an island standing on it (adjacency.py); that of a window is laid
-under it (windows.py).
+its outline, or an island standing on it (adjacency.py), or is lower than the solid is
+elsewhere; that of a window is laid under it (windows.py).
 """
 
 from __future__ import annotations
@@ -154,7 +154,9 @@ def floor(
     z = face.BoundBox.ZMin
     walled = sum(rises for rises, _ in around)
     goes_on = any(adjacency.goes_on(face, z, faces) for _, faces in around)
-    if not walled and not any(r for wire in face.Wires for r, _ in adjacency.along(face, wire)):
+    is_top = z > solid.BoundBox.ZMax - SAME_HEIGHT
+    has_walls = any(r for wire in face.Wires for r, _ in adjacency.along(face, wire))
+    if not walled and not has_walls and (is_top or goes_on):
         raise SelectionError(
             f"{where} is not the floor of a pocket: no wall rises from it.",
             PICK_ALL if goes_on else _PICK_A_FLOOR,

@@ -154,6 +154,10 @@ class Walls:
         inside = shapely.intersection(free, outline)
         return self._uncovered(z, shapely.union_all([inside, *parts]), outline)
 
+    def ground(self, z: float) -> shapely.Geometry:
+        """Return all ground on which no solid of the part is at Z `z`, and some around it."""
+        return self._not_solid(z)[1]
+
     def ledges(self, low: float, high: float) -> list[tuple[float, tuple[float, float]]]:
         """Return Z and a place (x, y) on each level face that looks up between two heights."""
         found = []

@@ -144,7 +144,7 @@ def test_a_value_that_makes_no_sense(setting, name, value, words):
 
 def test_a_step_over_with_thousands_of_laps_is_refused_before_they_grow(setting, monkeypatch):
     job, part, face = setting
-    monkeypatch.setattr(automatic, "_levels", None)
+    monkeypatch.setattr(automatic, "levels_from", None)
     refused(job, [(part, [face])], NotYetError, "step-overs wide", MaxEngagement=0.5)
 
 

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is cut above ledges, ribs and bosses beside a selected floor, and what is none of it."""
+
+import numpy as np
+import Part
+import pytest
+from FreeCAD import Vector
+from sample_parts import add_job, add_part, faces_at, motion
+from solid_oracle import Stock, Surface, gouges, places
+
+from freecad_spiralpocket import api
+
+R, A, B, RIB = 4.0, -14.0, -17.0, -4.0
+
+
+def box(x, y, z, width, depth, height):
+    return Part.makeBox(width, depth, height, Vector(x, y, z))
+
+
+def side_by_side(gap, joint):
+    """Return a plate with two pockets, A deep and B, joined above the rib by a gap that wide."""
+    shape = box(0, 0, -24, 100, 50, 24)
+    shape = shape.cut(box(10, 10, A, 30, 30, 20)).cut(box(60, 10, B, 30, 30, 20))
+    return shape.cut(box(35, 25 - gap / 2, joint, 30, gap, 20)).removeSplitter()
+
+
+def machined(doc, shape, *heights, **options):
+    part = add_part(doc, shape)
+    job = add_job(doc, part, diameter=2 * R)
+    names = [name for z in heights for name in faces_at(shape, z)]
+    return api.add_spiral_pocket(job, [(part, names)], StepDown=5.0, **options)
+
+
+def centers(op):
+    """Return the places of the cutter's center below the plate's top."""
+    found = places(motion(op), 0.4)
+    return found[found[:, 2] < -0.01]
+
+
+@pytest.mark.parametrize("gap", [4.0, 20.0])
+@pytest.mark.parametrize("start", [0.0, 3.0])
+def test_pocket_beside_that_is_not_selected_is_left_alone(doc, gap, start):
+    shape = side_by_side(gap, RIB)
+    op = machined(doc, shape, A, StartDepth=start)
+    reached = centers(op)
+    # a little way into the mouth of the narrow one
+    assert reached[:, 0].max() < (36.6 if gap < 2 * R else 56.1)
+    assert len(gouges(Surface.of(shape), reached, R, 0.01)) == 0
+    assert not [notice for notice in op.Notices if "engagement" not in notice]
+    floor = Stock(Surface.of(shape), (10.5, 10.5, 39.5, 39.5), 0.5)
+    floor.cut(reached, R + 0.02)
+    assert (floor.heights > A + 0.01).sum() * 0.25 < 4 * R**2  # the corners
+
+
+def test_both_are_cut_where_both_are_selected(doc):
+    shape = side_by_side(20.0, RIB)
+    reached = centers(machined(doc, shape, A, B))
+    surface = Surface.of(shape)
+    assert len(gouges(surface, reached, R, 0.01)) == 0
+    stock = Stock(surface, (41.0, 16.0, 59.0, 34.0), 0.5)
+    stock.cut(reached, R + 0.02)
+    assert (stock.heights < RIB + 0.01).all()
+    assert np.isclose(reached[reached[:, 0] > 65][:, 2].min(), B)
+
+
+def test_holes_in_a_ledge_are_passed_over(doc):
+    shape = box(0, 0, -20, 90, 60, 20).cut(box(5, 5, -5, 80, 50, 20))
+    shape = shape.cut(box(10, 15, -12, 30, 30, 20))
+    shape = shape.cut(Part.makeCylinder(9, 40, Vector(62, 30, -30))).removeSplitter()
+    op = machined(doc, shape, -12.0)
+    above = op.Proxy.plans[0].request.sections[0].pocket
+    assert above.area == pytest.approx(80 * 50) and not above.interiors
+    (told,) = [notice for notice in op.Notices if "ledges" in notice]
+    assert "Above Z-5 also 3100 mm2" in told
+
+
+def test_narrow_ledges_are_not_told(doc):
+    shape = box(0, 0, -20, 90, 60, 20).cut(box(5, 5, -5, 80, 50, 20))
+    shape = shape.cut(box(10, 10, -12, 70, 40, 20)).removeSplitter()
+    told = machined(doc, shape, -12.0).Notices
+    assert not [notice for notice in told if "ledges" in notice]
+
+
+def test_plateaus_are_floors_where_the_part_is_higher_elsewhere(doc):
+    shape = box(0, 0, -16, 96, 96, 16)
+    for i in range(16):
+        x, y = divmod(i, 4)
+        shape = shape.cut(box(8 + 20 * x, 8 + 20 * y, -5 - 2 * ((x + y) % 2), 20, 20, 20))
+    shape = shape.removeSplitter()
+    op = machined(doc, shape, -5.0, -7.0)
+    assert not op.Proxy.errors
+    reached, surface = centers(op), Surface.of(shape)
+    assert len(gouges(surface, reached, R, 0.01)) == 0
+    stock = Stock(surface, (8.5, 8.5, 87.5, 87.5), 0.5)
+    stock.cut(reached, R + 0.02)
+    plateaus = stock.part > -5.1
+    assert (stock.left[plateaus] > 0.01).sum() * 0.25 < R**2  # the corners
+    (told,) = [notice for notice in op.Notices if "open at a side" in notice]
+    assert told.count("Face") == 8
+
+
+def test_low_boss_is_cut_with_the_pocket_around_it(doc):
+    shape = box(0, 0, -20, 80, 60, 20).cut(box(8, 8, -14, 64, 44, 30))
+    shape = shape.fuse(box(30, 20, -14, 20, 12, 6)).removeSplitter()
+    op = machined(doc, shape, -14.0, -8.0)
+    assert not op.Proxy.errors
+    stock = Stock(Surface.of(shape), (30.5, 20.5, 49.5, 31.5), 0.5)
+    stock.cut(centers(op), R + 0.02)
+    assert stock.left.max() < 0.01
