@@ -9,7 +9,7 @@ after.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -296,7 +296,7 @@ def _cuts(
     regions = {room.region.wkb: room.region for room in rooms}
     paths = dict(zip(regions, lay([*regions.values()], request, tick), strict=True))
     cuts: list[Cut] = []
-    failures: list[SpiralPocketError] = []
+    failures: list[tuple[Room, SpiralPocketError]] = []
     cut_rooms: set[Room | None] = {None}
     for room in rooms:
         path = paths[room.region.wkb]
@@ -306,13 +306,23 @@ def _cuts(
             cuts.append(Cut(room, path))
             cut_rooms.add(room)
         else:
-            failures.append(path)
+            failures.append((room, path))
     if not cuts:
-        raise failures[0]
+        raise failures[0][1]
+    tops = {cut.room.level.top for cut in cuts}
     return cuts, tuple(
-        Notice(f"{error.message} That part stays uncut.", error.hint, error.place)
-        for error in failures
+        Notice(_left_out(room, error, tops), error.hint, error.place) for room, error in failures
     )
+
+
+def _left_out(room: Room, error: SpiralPocketError, tops: Collection[float]) -> str:
+    """Return why a room is not cut, and what stays; `tops` are those of levels with cut rooms."""
+    top = room.level.top
+    if top not in tops:
+        return f"{error.message} Nothing is cut below Z{top:g}."
+    if room.above is not None:
+        return f"{error.message} Below Z{top:g} that part stays uncut."
+    return f"{error.message} That part stays uncut."
 
 
 def _curves(cuts: Sequence[Cut], request: PocketRequest) -> tuple[SplineCurve, ...]:

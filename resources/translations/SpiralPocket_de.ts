@@ -164,8 +164,8 @@
         <translation>Ungeschnitten in Reichweite</translation>
     </message>
     <message>
-        <source>the fastest that keeps the limit of engagement</source>
-        <translation>die schnellste, die die Eingriffsgrenze hält</translation>
+        <source>the fastest that keeps the limit of engagement and leaves nothing uncut</source>
+        <translation>die schnellste, die die Eingriffsgrenze hält und nichts stehen lässt</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
@@ -196,8 +196,8 @@
         <translation>Keine Tasche: Die erste Zeile des Panels sagt, warum.</translation>
     </message>
     <message>
-        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
-        <translation>Mit demselben Fräser, gleicher seitlicher Zustellung und gleichen Vorschüben auf {}. Grenze des Eingriffs {:.0f}°; was sie deutlich überschreitet, ist rot. ★ die schnellste, die sie einhält.</translation>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest without red.</source>
+        <translation>Mit demselben Fräser, gleicher seitlicher Zustellung und gleichen Vorschüben auf {}. Grenze des Eingriffs {:.0f}°; was sie deutlich überschreitet oder stehen bleibt, ist rot. ★ die schnellste ohne Rot.</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -252,6 +252,14 @@
         <translation>Noch einmal OK behält, was ohne das gemacht wurde.</translation>
     </message>
     <message>
+        <source>The remarks in the result box say why.</source>
+        <translation>Die Hinweise unter „Ergebnis“ sagen, warum.</translation>
+    </message>
+    <message>
+        <source>OK once more keeps this path.</source>
+        <translation>Noch einmal OK behält diesen Pfad.</translation>
+    </message>
+    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>Ein Fehler in der Erweiterung: der Pfad wurde nicht berechnet.</translation>
     </message>
@@ -262,6 +270,10 @@
     <message>
         <source>Remove Spiral Pocket</source>
         <translation>Spiraltasche entfernen</translation>
+    </message>
+    <message>
+        <source>{} of the floor stay uncut.</source>
+        <translation>{} des Bodens bleiben stehen.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -462,6 +474,10 @@
     <message>
         <source>remarks: {}</source>
         <translation>Hinweise: {}</translation>
+    </message>
+    <message>
+        <source>{} uncut</source>
+        <translation>{} bleiben stehen</translation>
     </message>
     <message>
         <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
@@ -735,6 +751,14 @@
         <translation>Bei {at} erreicht der Eingriff {0} Grad, die seitliche Zustellung von {1} % erlaubt {2}; {3} % des Schnitts liegen deutlich darüber.</translation>
     </message>
     <message>
+        <source>Below Z{0} that part stays uncut.</source>
+        <translation>Unter Z{0} bleibt dieser Teil stehen.</translation>
+    </message>
+    <message>
+        <source>Below Z{0} the pocket is too narrow and stays uncut.</source>
+        <translation>Unter Z{0} ist die Tasche zu eng und bleibt stehen.</translation>
+    </message>
+    <message>
         <source>Central Spiral cannot go round islands; there is one at {at}.</source>
         <translation>Die Zentrale Spirale kann Inseln nicht umfahren; bei {at} ist eine.</translation>
     </message>
@@ -941,6 +965,10 @@
     <message>
         <source>No isotherm leads to the slot.</source>
         <translation>Keine Isotherme führt zur Nut.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut below Z{0}.</source>
+        <translation>Unter Z{0} wird nichts gefräst.</translation>
     </message>
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
@@ -1193,6 +1221,10 @@
     <message>
         <source>Take that part out of the job's model.</source>
         <translation>Das Teil aus dem Modell des Auftrags nehmen.</translation>
+    </message>
+    <message>
+        <source>That part stays uncut.</source>
+        <translation>Dieser Teil bleibt stehen.</translation>
     </message>
     <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
@@ -1455,6 +1487,10 @@
         <translation>Dieses FreeCAD kann {0} nicht lesen, von einer anderen Version gespeichert.</translation>
     </message>
     <message>
+        <source>This pocket is not cut.</source>
+        <translation>Diese Tasche wird nicht gefräst.</translation>
+    </message>
+    <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
         <translation>Andere seitliche Zustellung oder Strategie versuchen und diese Tasche bitte melden.</translation>
     </message>
@@ -1485,14 +1521,6 @@
     <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>Mit {0} mm Aufmaß am Boden bleibt nichts zu fräsen.</translation>
-    </message>
-    <message>
-        <source>{0} That part stays uncut.</source>
-        <translation>{0} Dieser Teil bleibt stehen.</translation>
-    </message>
-    <message>
-        <source>{0} This pocket is not cut.</source>
-        <translation>{0} Diese Tasche wird nicht gefräst.</translation>
     </message>
     <message>
         <source>{0} has no face {1}.</source>

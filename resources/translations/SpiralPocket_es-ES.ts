@@ -164,8 +164,8 @@
         <translation>Sin cortar al alcance</translation>
     </message>
     <message>
-        <source>the fastest that keeps the limit of engagement</source>
-        <translation>la más rápida que respeta el límite de contacto</translation>
+        <source>the fastest that keeps the limit of engagement and leaves nothing uncut</source>
+        <translation>la más rápida que respeta el límite de contacto y no deja nada sin cortar</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
@@ -196,8 +196,8 @@
         <translation>No hay cajera: la primera línea del panel dice por qué.</translation>
     </message>
     <message>
-        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
-        <translation>Con la misma fresa, el mismo paso y los mismos avances en {}. Límite de contacto {:.0f}°; lo que lo supera claramente está en rojo. ★ la más rápida que lo respeta.</translation>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest without red.</source>
+        <translation>Con la misma fresa, el mismo paso y los mismos avances en {}. Límite de contacto {:.0f}°; lo que lo supera claramente o queda sin cortar está en rojo. ★ la más rápida sin rojo.</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -252,6 +252,14 @@
         <translation>Otra vez Aceptar conserva lo que se hizo sin eso.</translation>
     </message>
     <message>
+        <source>The remarks in the result box say why.</source>
+        <translation>Los avisos en «Resultado» dicen por qué.</translation>
+    </message>
+    <message>
+        <source>OK once more keeps this path.</source>
+        <translation>Otra vez Aceptar conserva esta trayectoria.</translation>
+    </message>
+    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>Un error en el complemento: la trayectoria no se calculó.</translation>
     </message>
@@ -262,6 +270,10 @@
     <message>
         <source>Remove Spiral Pocket</source>
         <translation>Quitar cajera en espiral</translation>
+    </message>
+    <message>
+        <source>{} of the floor stay uncut.</source>
+        <translation>{} del fondo quedan sin cortar.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -462,6 +474,10 @@
     <message>
         <source>remarks: {}</source>
         <translation>avisos: {}</translation>
+    </message>
+    <message>
+        <source>{} uncut</source>
+        <translation>{} sin cortar</translation>
     </message>
     <message>
         <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
@@ -735,6 +751,14 @@
         <translation>En {at} el contacto llega a {0} grados, el paso lateral de {1} % permite {2}; un {3} % del corte lo supera claramente.</translation>
     </message>
     <message>
+        <source>Below Z{0} that part stays uncut.</source>
+        <translation>Por debajo de Z{0} esa parte queda sin cortar.</translation>
+    </message>
+    <message>
+        <source>Below Z{0} the pocket is too narrow and stays uncut.</source>
+        <translation>Por debajo de Z{0} la cajera es demasiado estrecha y queda sin cortar.</translation>
+    </message>
+    <message>
         <source>Central Spiral cannot go round islands; there is one at {at}.</source>
         <translation>Espiral central no puede rodear islas; hay una en {at}.</translation>
     </message>
@@ -941,6 +965,10 @@
     <message>
         <source>No isotherm leads to the slot.</source>
         <translation>Ninguna isoterma lleva a la ranura.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut below Z{0}.</source>
+        <translation>Por debajo de Z{0} no se corta nada.</translation>
     </message>
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
@@ -1193,6 +1221,10 @@
     <message>
         <source>Take that part out of the job's model.</source>
         <translation>Quite esa pieza del modelo del trabajo.</translation>
+    </message>
+    <message>
+        <source>That part stays uncut.</source>
+        <translation>Esa parte queda sin cortar.</translation>
     </message>
     <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
@@ -1455,6 +1487,10 @@
         <translation>Este FreeCAD no puede leer {0}, guardado por otra versión.</translation>
     </message>
     <message>
+        <source>This pocket is not cut.</source>
+        <translation>Esta cajera no se corta.</translation>
+    </message>
+    <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
         <translation>Pruebe otro paso lateral u otra estrategia e informe de esta cajera.</translation>
     </message>
@@ -1485,14 +1521,6 @@
     <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>Con {0} mm de sobrematerial en el fondo no queda nada que cortar.</translation>
-    </message>
-    <message>
-        <source>{0} That part stays uncut.</source>
-        <translation>{0} Esa parte queda sin cortar.</translation>
-    </message>
-    <message>
-        <source>{0} This pocket is not cut.</source>
-        <translation>{0} Esta cajera no se corta.</translation>
     </message>
     <message>
         <source>{0} has no face {1}.</source>

@@ -164,8 +164,8 @@
         <translation>Non usiné à portée</translation>
     </message>
     <message>
-        <source>the fastest that keeps the limit of engagement</source>
-        <translation>la plus rapide qui tient la limite d'engagement</translation>
+        <source>the fastest that keeps the limit of engagement and leaves nothing uncut</source>
+        <translation>la plus rapide qui tient la limite d'engagement et ne laisse rien</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
@@ -196,8 +196,8 @@
         <translation>Pas de poche : la première ligne du panneau dit pourquoi.</translation>
     </message>
     <message>
-        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
-        <translation>Avec la même fraise, le même pas et les mêmes avances sur {}. Limite d'engagement {:.0f}° ; ce qui la dépasse nettement est en rouge. ★ la plus rapide qui la respecte.</translation>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest without red.</source>
+        <translation>Avec la même fraise, le même pas et les mêmes avances sur {}. Limite d'engagement {:.0f}° ; ce qui la dépasse nettement ou reste non usiné est en rouge. ★ la plus rapide sans rouge.</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -252,6 +252,14 @@
         <translation>Encore une fois OK garde ce qui a été fait sans cela.</translation>
     </message>
     <message>
+        <source>The remarks in the result box say why.</source>
+        <translation>Les remarques sous « Résultat » disent pourquoi.</translation>
+    </message>
+    <message>
+        <source>OK once more keeps this path.</source>
+        <translation>Encore une fois OK garde ce parcours.</translation>
+    </message>
+    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>Une erreur dans l'extension : le parcours n'a pas été calculé.</translation>
     </message>
@@ -262,6 +270,10 @@
     <message>
         <source>Remove Spiral Pocket</source>
         <translation>Supprimer la poche en spirale</translation>
+    </message>
+    <message>
+        <source>{} of the floor stay uncut.</source>
+        <translation>{} du fond restent non usinés.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -462,6 +474,10 @@
     <message>
         <source>remarks: {}</source>
         <translation>remarques : {}</translation>
+    </message>
+    <message>
+        <source>{} uncut</source>
+        <translation>{} non usinés</translation>
     </message>
     <message>
         <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
@@ -735,6 +751,14 @@
         <translation>À {at} l'engagement atteint {0} degrés, le recouvrement de {1} % en permet {2} ; {3} % de la coupe le dépassent nettement.</translation>
     </message>
     <message>
+        <source>Below Z{0} that part stays uncut.</source>
+        <translation>Sous Z{0}, cette partie reste non usinée.</translation>
+    </message>
+    <message>
+        <source>Below Z{0} the pocket is too narrow and stays uncut.</source>
+        <translation>Sous Z{0}, la poche est trop étroite et reste non usinée.</translation>
+    </message>
+    <message>
         <source>Central Spiral cannot go round islands; there is one at {at}.</source>
         <translation>La Spirale centrale ne contourne pas les îlots ; il y en a un en {at}.</translation>
     </message>
@@ -941,6 +965,10 @@
     <message>
         <source>No isotherm leads to the slot.</source>
         <translation>Aucune isotherme ne mène à la rainure.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut below Z{0}.</source>
+        <translation>Rien n'est usiné sous Z{0}.</translation>
     </message>
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
@@ -1193,6 +1221,10 @@
     <message>
         <source>Take that part out of the job's model.</source>
         <translation>Retirez cette pièce du modèle de la tâche.</translation>
+    </message>
+    <message>
+        <source>That part stays uncut.</source>
+        <translation>Cette partie reste non usinée.</translation>
     </message>
     <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
@@ -1455,6 +1487,10 @@
         <translation>Ce FreeCAD ne peut pas lire {0}, enregistré par une autre version.</translation>
     </message>
     <message>
+        <source>This pocket is not cut.</source>
+        <translation>Cette poche n'est pas usinée.</translation>
+    </message>
+    <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
         <translation>Essayez un autre pas ou une autre stratégie, et signalez cette poche.</translation>
     </message>
@@ -1485,14 +1521,6 @@
     <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>Avec {0} mm de surépaisseur au fond, il ne reste rien à usiner.</translation>
-    </message>
-    <message>
-        <source>{0} That part stays uncut.</source>
-        <translation>{0} Cette partie reste non usinée.</translation>
-    </message>
-    <message>
-        <source>{0} This pocket is not cut.</source>
-        <translation>{0} Cette poche n'est pas usinée.</translation>
     </message>
     <message>
         <source>{0} has no face {1}.</source>

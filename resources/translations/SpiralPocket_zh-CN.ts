@@ -164,8 +164,8 @@
         <translation>可及范围内未切削</translation>
     </message>
     <message>
-        <source>the fastest that keeps the limit of engagement</source>
-        <translation>保持啮合上限的最快策略</translation>
+        <source>the fastest that keeps the limit of engagement and leaves nothing uncut</source>
+        <translation>保持啮合上限且无残留的最快策略</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
@@ -196,8 +196,8 @@
         <translation>没有型腔：面板第一行说明了原因。</translation>
     </message>
     <message>
-        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it is red. ★ the fastest that keeps it.</source>
-        <translation>相同的刀具、步距和进给，机床为 {}。啮合角上限 {:.0f}°；明显超过者以红色显示。★ 遵守上限的最快策略。</translation>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest without red.</source>
+        <translation>相同的刀具、步距和进给，机床为 {}。啮合角上限 {:.0f}°；明显超过者或未切除者以红色显示。★ 没有红色的最快策略。</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>
@@ -252,6 +252,14 @@
         <translation>再按一次“确定”即保留其余已完成的部分。</translation>
     </message>
     <message>
+        <source>The remarks in the result box say why.</source>
+        <translation>“结果”框中的提示说明了原因。</translation>
+    </message>
+    <message>
+        <source>OK once more keeps this path.</source>
+        <translation>再按一次“确定”即保留此刀路。</translation>
+    </message>
+    <message>
         <source>An error in the add-on: the path was not computed.</source>
         <translation>插件出错：刀路未计算。</translation>
     </message>
@@ -262,6 +270,10 @@
     <message>
         <source>Remove Spiral Pocket</source>
         <translation>删除螺旋型腔</translation>
+    </message>
+    <message>
+        <source>{} of the floor stay uncut.</source>
+        <translation>底面有 {} 未切除。</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -462,6 +474,10 @@
     <message>
         <source>remarks: {}</source>
         <translation>提示：{} 条</translation>
+    </message>
+    <message>
+        <source>{} uncut</source>
+        <translation>{} 未切除</translation>
     </message>
     <message>
         <source>Any pocket, with islands and necks: holds the engagement, least time on the machine</source>
@@ -735,6 +751,14 @@
         <translation>在 {at} 处啮合角达到 {0} 度，{1} % 的步距允许 {2} 度；{3} % 的切削明显超过该值。</translation>
     </message>
     <message>
+        <source>Below Z{0} that part stays uncut.</source>
+        <translation>Z{0} 以下该部分未切除。</translation>
+    </message>
+    <message>
+        <source>Below Z{0} the pocket is too narrow and stays uncut.</source>
+        <translation>Z{0} 以下型腔过窄，未切除。</translation>
+    </message>
+    <message>
         <source>Central Spiral cannot go round islands; there is one at {at}.</source>
         <translation>“中心螺线”不能绕过岛屿；{at} 处有一个。</translation>
     </message>
@@ -941,6 +965,10 @@
     <message>
         <source>No isotherm leads to the slot.</source>
         <translation>没有等温线通向槽。</translation>
+    </message>
+    <message>
+        <source>Nothing is cut below Z{0}.</source>
+        <translation>Z{0} 以下不切削。</translation>
     </message>
     <message>
         <source>Of the step-over of {0} % Automatic uses {1}: wider laps would leave stock where they meet.</source>
@@ -1193,6 +1221,10 @@
     <message>
         <source>Take that part out of the job's model.</source>
         <translation>请将该零件从作业模型中移除。</translation>
+    </message>
+    <message>
+        <source>That part stays uncut.</source>
+        <translation>该部分未切除。</translation>
     </message>
     <message>
         <source>The cutter goes down at {at}, {0} mm from the start point: that is as near as {1} can begin.</source>
@@ -1455,6 +1487,10 @@
         <translation>此 FreeCAD 无法读取由其他版本保存的 {0}。</translation>
     </message>
     <message>
+        <source>This pocket is not cut.</source>
+        <translation>此型腔不切削。</translation>
+    </message>
+    <message>
         <source>Try another step-over or strategy, and please report this pocket.</source>
         <translation>请尝试其他步距或策略，并报告此型腔。</translation>
     </message>
@@ -1485,14 +1521,6 @@
     <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>底面余量 {0} mm，已无可切材料。</translation>
-    </message>
-    <message>
-        <source>{0} That part stays uncut.</source>
-        <translation>{0} 该部分未切除。</translation>
-    </message>
-    <message>
-        <source>{0} This pocket is not cut.</source>
-        <translation>{0} 此型腔不切削。</translation>
     </message>
     <message>
         <source>{0} has no face {1}.</source>

@@ -14,7 +14,9 @@ also written to messages.json: by them the window finds the figures in a finishe
 from __future__ import annotations
 
 import ast
+import itertools
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -106,7 +108,7 @@ def engine_sentences() -> Iterator[str]:
         passed_over = _docstrings_and_parts(tree)
         for node in ast.walk(tree):
             if id(node) not in passed_over:
-                text = template(node)
+                text = own_sentence(template(node))
                 if " " in text and text.endswith("."):
                     yield text
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == STAGES:
@@ -122,6 +124,20 @@ def template(node: ast.AST) -> str:
     parts = [part.value if isinstance(part, ast.Constant) else None for part in node.values]
     numbers = iter(range(len(parts)))
     return "".join(f"{{{next(numbers)}}}" if part is None else str(part) for part in parts)
+
+
+def own_sentence(text: str) -> str:
+    """Return a template without the whole sentences put before and after it, told by themselves.
+
+    What goes before is followed by a capital letter, what follows comes after a full stop. What is
+    a label and a colon with something is no sentence.
+    """
+    if text.startswith("{0}: "):
+        return ""
+    text = re.sub(r"(?<=\.) \{\d+\}$", "", text)
+    numbers = itertools.count()
+    text = re.sub(r"^\{\d+\} (?=[A-Z])", "", text)
+    return re.sub(r"\{\d+\}", lambda _: f"{{{next(numbers)}}}", text)
 
 
 def _docstrings_and_parts(tree: ast.AST) -> set[int]:

@@ -178,3 +178,36 @@ def test_sentences_one_after_the_other_are_all_recognized(marked):
     first, second = "The link feed is negative.", said[len("The link feed is negative. ") :]
     assert localized(said) == f"«{first}» «{second}»"
     assert localized(f"{first} Unknown words.") == f"«{first}» Unknown words."
+    assert localized(f"Unknown words. {first}") == f"Unknown words. «{first}»"
+
+
+@pytest.mark.parametrize("template", [t for t, _ in module._patterns() if t.endswith(".")])
+def test_every_sentence_is_recognized_before_and_after_another(marked, template):
+    figures = iter(["12.5", "7", "0.25", "3.0"])
+    sentence = module._PLACE.sub(
+        lambda place: "X1.0 Y-2.0" if place[1] == "at" else next(figures), template
+    )
+    other = "That part stays uncut."
+    said = f"Part, Face3: {other} {sentence} {other}"
+    assert localized(said) == f"Part, Face3: «{other}» «{sentence}» «{other}»"
+
+
+@pytest.mark.parametrize("language", ["German", "French", "Spanish", "Chinese (Simplified)"])
+def test_what_a_strategy_leaves_is_told_in_one_language(language):
+    said = (
+        "Central Spiral cannot go round islands; there is one at {at}.",
+        "Nothing is cut below Z{0}.",
+        "Choose the strategy Automatic or Isotherm for this pocket.",
+    )
+    FreeCADGui.setLocale(language)
+    try:
+        pump(0.3)
+        expected = [
+            module.translate(module.CONTEXT, s).replace("{at}", "X52.0 Y45.0").replace("{0}", "10")
+            for s in said
+        ]
+        assert localized(" ".join(said).format(10, at="X52.0 Y45.0")) == " ".join(expected)
+        assert not any(s.format(10, at="X52.0 Y45.0") in expected for s in said)
+    finally:
+        FreeCADGui.setLocale("English")
+        pump(0.3)

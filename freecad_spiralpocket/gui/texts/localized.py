@@ -83,6 +83,10 @@ _NAMES = re.compile(rf"(?<![A-Za-z])({'|'.join([*LABELS, START_POINT, *_OF_FREEC
 _NUMBER = re.compile(r"-?\d+\.\d+")
 
 _PLACE = re.compile(r"\{(\d+|at)\}")
+#: A label before a sentence, or a sentence before another.
+_LABEL_OR_SENTENCE = re.compile(r".*?(?:: |\.(?= [A-Z0-9]))")
+#: A figure, or a phrase: all but the end of a sentence and the begin of another.
+_FIGURE = r"((?:(?!\. [A-Z0-9]).)*?)"
 #: How a place reads (`errors.tell`).
 _AT = r"(the pocket|X-?[\d.]+ Y-?[\d.]+)"
 
@@ -127,8 +131,8 @@ def localized(text: str) -> str:
             figures = [_figure(figure) for figure in match.groups()]
             sentence = _filled(translate(CONTEXT, template), template, figures)
             return lead + sentence + localized(text[match.end() :])
-    subject, colon, rest = text.partition(": ")  # "Part, Face3: The cutter does not fit ..."
-    return lead + (subject + colon + localized(rest) if colon else text)
+    mark = _LABEL_OR_SENTENCE.match(text)  # "Part, Face3: The cutter does not fit ..."
+    return lead + (mark[0] + localized(text[mark.end() :]) if mark else text)
 
 
 def _figure(text: str) -> str:
@@ -158,5 +162,5 @@ def _pattern(template: str) -> re.Pattern[str]:
     words, places = parts[::2], parts[1::2]
     text = re.escape(words[0])
     for place, word in zip(places, words[1:], strict=True):
-        text += (_AT if place == "at" else "(.*?)") + re.escape(word)
+        text += (_AT if place == "at" else _FIGURE) + re.escape(word)
     return re.compile(text + (r"(?= |$)" if words[-1] else "$"))
