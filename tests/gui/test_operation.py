@@ -194,6 +194,40 @@ def test_new_operation_goes_when_another_is_edited(doc, job, operation, floor):
     assert job.Operations.Group == [operation] and operation.StepOver != 15
 
 
+@pytest.mark.parametrize("is_applied", [False, True])
+def test_cancel_takes_an_edit_back_although_something_was_renamed(doc, operation, is_applied):
+    operation.setExpression("StockToLeave", "0.1 mm")
+    doc.recompute()
+    before = snapshot(doc)
+    edit(operation)
+    widget("stepOverPercent").setValue(30)
+    doc.openTransaction("Rename")  # as the tree does
+    doc.getObject("Part").Label = "Plate"
+    doc.commitTransaction()
+    operation.setExpression("StockToLeave", None)
+    widget("stockToLeave").setProperty("rawValue", 0.3)
+    widget("stepOverPercent").setValue(10)
+    pump()
+    if is_applied:
+        press(APPLY)
+        widget("stepOverPercent").setValue(40)
+        pump()
+    press(CANCEL)
+    assert doc.getObject("Part").Label == "Plate"
+    doc.getObject("Part").Label = "Part"
+    assert not differences(before, snapshot(doc))
+    assert "Touched" not in operation.State
+    assert operation.StepOver == 40 and operation.Proxy.plans
+
+
+def test_opening_the_panel_leaves_nothing_to_compute(operation):
+    before = operation.Proxy.plans
+    edit(operation)
+    assert "Touched" not in operation.State
+    press(OK)
+    assert operation.Proxy.plans is before
+
+
 @pytest.mark.parametrize("button", [OK, CANCEL])
 def test_new_operation_stays_when_it_is_edited_again_at_once(doc, job, floor, button):
     before = doc.Objects

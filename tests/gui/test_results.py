@@ -16,6 +16,7 @@ from window import (
     OK,
     answered,
     edit,
+    is_panel_open,
     panel,
     pixels_that_differ,
     press,
@@ -205,6 +206,9 @@ def test_live_stays_off_in_the_next_panel_until_it_is_switched_on(opened):
     edit(opened)
     assert not page().preview.box.live.isChecked()
     pump(0.5)
+    assert "has this path" in state() and not page().outlook.pockets
+    widget("stepOverPercent").setValue(30)
+    pump(0.5)
     assert "Live" in state() and not page().outlook.pockets
     page().preview.box.live.setChecked(True)
     settle()
@@ -330,7 +334,11 @@ def test_pocket_that_cannot_be_cut_leaves_the_result_of_the_others(doc):
     assert duration(operation.MachiningTime) in page().result_box.texts.values()
     page().plots.button.setChecked(True)
     assert page().plots.dock._curves.clock[-1] == pytest.approx(operation.MachiningTime)
-    press(CANCEL)
+    press(OK)
+    edit(operation)
+    with answered() as answer:
+        press(OK)
+    assert not is_panel_open() and not answer.texts  # nothing has changed since it was accepted
 
 
 def test_result_player_plots_and_operation_tell_the_same_time(doc):

@@ -28,6 +28,7 @@ from ..qt.later import later
 from ..qt.names import forget_namesakes, renamed, rightly_named
 from ..texts import messages
 from .room import make_room
+from .values import Values
 
 translate = FreeCAD.Qt.translate
 
@@ -44,10 +45,12 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.view_provider = obj.ViewObject.Proxy
         self.operation_page = page
         self.touched = _touched(obj.Document)
+        self.values = Values(obj)
         self.outcome = obj.Proxy.plans, obj.Proxy.errors  # which no transaction brings back
         self.is_open = self.has_lost_widgets = False
         with rightly_named():
             super().__init__(obj, is_new, page, selection_factory)
+        self.transaction = FreeCAD.getActiveTransaction()
         for each in self.featurePages:
             bear_lost_selection(each)
             if each is not page:
@@ -58,12 +61,18 @@ class TaskPanel(PathOpGui.TaskPanel):
         forget_namesakes()
 
     def setupUi(self) -> None:  # noqa: N802 - the name FreeCAD calls
-        """Write what expressions give, and fill the pages."""
+        """Write what expressions give, and fill the pages.
+
+        That touches the operation also where it changes nothing. One without a path stays so: OK
+        tells why there is none, whatever came between.
+        """
         obj, self.obj = self.obj, _WithWholeProperties(self.obj)
         try:
             super().setupUi()
         finally:
             self.obj = obj
+        if obj.Path.Length and obj not in self.touched and self.values.are_kept:
+            obj.purgeTouched()
 
     def modifyStandardButtons(self, buttonBox: Any) -> None:  # noqa: N802, N803
         """Take the buttons over."""
@@ -92,13 +101,20 @@ class TaskPanel(PathOpGui.TaskPanel):
         return closed
 
     def reject(self, resetEdit: bool = True) -> bool:  # noqa: N803
-        """Undo everything since the panel was opened, a new operation included, and close."""
+        """Undo everything since the panel was opened, a new operation included, and close.
+
+        What was done before something else in the document, as a new name in the tree, is no longer
+        in the panel's transaction: the operation's values are brought back here then.
+        """
         self.preCleanup()
         proxy = self.obj.Proxy  # which may be out of reach in a moment
+        is_own = FreeCAD.getActiveTransaction() == self.transaction
         self.document.abortTransaction()
         _close_transaction(abort=True)
         proxy.plans, proxy.errors = self.outcome
-        for obj in _touched(self.document) - self.touched:
+        if not is_own and not self.deleteOnReject:
+            self.values.bring_back()
+        for obj in (_touched(self.document) if is_own else {self.obj}) - self.touched:
             obj.purgeTouched()  # values and path are as they were: nothing to compute
         if self.deleteOnReject:
             self.remove()  # it was made in a transaction of its own
