@@ -159,7 +159,7 @@ BELOW = {
         "preview": {"texts", "planning"},
         "result": {"texts", "planning"},
         "plots": {"qt", "texts", "planning"},
-        "compare": {"qt", "texts", "planning", "preview"},
+        "compare": {"qt", "texts", "planning", "preview", "result"},
         "panel": {
             *("qt", "texts", "planning", "fields"),
             *("preview", "result", "plots", "compare"),

@@ -2,17 +2,25 @@
 """Strategies side by side: each is planned, one is picked, and closing ends the work."""
 
 import FreeCADGui
+import Part
 import pytest
+from conftest import DEPTH, add_job, floors
+from FreeCAD import Vector
 from PySide import QtCore
 from snapshot import differences, snapshot
 from window import (
     APPLY,
     CANCEL,
+    OK,
+    answered,
     dialog,
+    edit,
+    is_panel_open,
     panel,
     press,
     press_toolbar_button,
     pump,
+    remarks,
     select,
     wait_for,
     widget,
@@ -64,6 +72,58 @@ def test_all_strategies_and_freecads_own_are_there(compared):
     assert not cards()[-1].button.isEnabled()
     press(CANCEL)
     assert dialog(NAME) is None
+
+
+@pytest.fixture
+def low_boss(doc):
+    """Return a job for a round pocket with a boss in it that is lower than the rim."""
+    pocket = Part.makeCylinder(22, 20, Vector(26, 26, -DEPTH))
+    boss = Part.makeCylinder(4, 3, Vector(34, 29, -DEPTH))
+    solid = Part.makeBox(52, 52, 12, Vector(0, 0, -12)).cut(pocket).fuse(boss).removeSplitter()
+    return add_job(doc, solid, 6.0)
+
+
+def test_what_leaves_the_floor_uncut_has_no_star_and_is_told_when_taken(low_boss):
+    part = low_boss.Document.getObject("Part")
+    select((part, floors(part, -DEPTH)[0]))
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    page().compare.button.click()
+    wait_for(lambda: all(c.text.text() for c in cards()), 120)
+    central = next(c for c in cards() if c.name == Strategy.CENTRAL_SPIRAL.value)
+    assert central.seconds == min(c.seconds for c in cards())
+    assert "★" not in central._title.text()
+    assert "mm²</span>" in central.text.text()  # in red
+    automatic = cards()[0]
+    assert "<span" not in automatic.text.text() and ">0 mm²<" in automatic.text.text()
+    stars = [c for c in cards() if "★" in c._title.text()]
+    assert len(stars) == 1 and "<span" not in stars[0].text.text()
+
+    central.button.click()
+    wait_for(lambda: page().outlook.is_settled, 60)
+    uncut = page().result_box.texts["Left uncut in reach"]
+    assert f"{uncut} uncut</span>" in page().form.summary.text()
+    assert "Nothing is cut below Z-3." in remarks()
+    with answered() as answer:
+        press(OK)
+    assert is_panel_open() and len(answer.texts) == 1
+    assert f"{uncut} of the floor stay uncut." in answer.texts[0]
+    with answered() as answer:
+        press(OK)
+    assert not is_panel_open() and not answer.texts
+    (operation,) = low_boss.Operations.Group
+    edit(operation)
+    with answered() as answer:
+        press(OK)
+    assert not is_panel_open() and not answer.texts
+
+
+def test_no_star_where_none_is_sound(compared):
+    for card in cards():
+        card.is_sound = False
+    page().compare.window._mark_fastest()
+    assert not any("★" in c._title.text() for c in cards())
+    press(CANCEL)
 
 
 def test_pictures_are_as_fine_as_the_screen(opened):

@@ -17,14 +17,14 @@ from ..planning import lanes
 from ..planning.lane import Job
 from ..preview.colors import OVER_LIMIT, Scale
 from ..qt.theme import theme
+from ..result.figures import uncut_of
 from ..texts.localized import in_panel
-from ..texts.measures import as_table, decimal, duration, length, small
+from ..texts.measures import alarming, area, as_table, decimal, duration, length
 from .picture import picture_of
 
 translate = FreeCAD.Qt.translate
 
 PICTURE = QtCore.QSize(250, 170)
-OVER = "#d9432f"  # what clearly passes the limit is written in this color
 
 
 class Card:
@@ -40,7 +40,7 @@ class Card:
     ) -> None:
         self.name = name
         self.seconds: float | None = None
-        self.keeps_limit = False
+        self.is_sound = False
         self._task, self._request, self._changed = task, request, changed
         self._job: Job | None = None
         self.frame = QtGui.QFrame()
@@ -81,7 +81,10 @@ class Card:
         """Write the name, of the fastest with a star."""
         self._title.setText(f"<b>{self.name}</b>{' ★' if fastest else ''}")
         self._title.setToolTip(
-            translate("SpiralPocket", "the fastest that keeps the limit of engagement")
+            translate(
+                "SpiralPocket",
+                "the fastest that keeps the limit of engagement and leaves nothing uncut",
+            )
             if fastest
             else ""
         )
@@ -115,7 +118,8 @@ class Card:
         self.text.setText(_figures(outcome))
         report = outcome.plan.report
         self.seconds = report.time
-        self.keeps_limit = not _passes(report.engagement_p99, report.engagement_limit)
+        passes = _passes(report.engagement_max, report.engagement_limit)
+        self.is_sound = not passes and not uncut_of([outcome.plan])
         self.button.setEnabled(self._choose is not None)
         self._changed()
 
@@ -124,6 +128,7 @@ def _figures(drawn: Drawn) -> str:
     """Return the figures of a plan as a table."""
     report = drawn.plan.report
     limit = report.engagement_limit
+    uncut = area(report.uncut_area)
     figures = [
         (translate("SpiralPocket", "Time"), f"<b>{_seconds(report.time)}</b>"),
         (translate("SpiralPocket", "Cutting length"), length(report.cut_length)),
@@ -133,7 +138,10 @@ def _figures(drawn: Drawn) -> str:
             translate("SpiralPocket", "Mean engagement"),
             f"{np.degrees(report.engagement_mean):.0f}°",
         ),
-        (translate("SpiralPocket", "Left uncut in reach"), small(report.uncut_area, power=2)),
+        (
+            translate("SpiralPocket", "Left uncut in reach"),
+            alarming(uncut) if uncut_of([drawn.plan]) else uncut,
+        ),
     ]
     return as_table(figures)
 
@@ -146,9 +154,9 @@ def _seconds(time: float) -> str:
 def _angle(angle: float, limit: float) -> str:
     """Return an engagement angle, colored if it clearly passes the limit."""
     text = f"{np.degrees(angle):.0f}°"
-    return f'<span style="color:{OVER}">{text}</span>' if _passes(angle, limit) else text
+    return alarming(text) if _passes(angle, limit) else text
 
 
 def _passes(angle: float, limit: float) -> bool:
-    """Return whether an engagement angle clearly passes the limit."""
-    return angle > over_limit(limit)
+    """Return whether an engagement angle clearly passes the limit, as it is shown: in degrees."""
+    return round(np.degrees(angle)) > np.degrees(over_limit(limit))

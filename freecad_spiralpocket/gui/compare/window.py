@@ -95,7 +95,7 @@ class Comparison:
             translate(
                 "SpiralPocket",
                 "With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; "
-                "what clearly passes it is red. ★ the fastest that keeps it.",
+                "what clearly passes it, or stays uncut, is red. ★ the fastest without red.",
             ).format(machine, np.degrees(request.engagement_limit))
         )
         for at in range(self._strategies.count()):
@@ -120,11 +120,11 @@ class Comparison:
         self.cards.append(card)
 
     def _mark_fastest(self) -> None:
-        """Mark the fastest of those that keep the limit, if any does."""
-        done = [c for c in self.cards if c.seconds is not None]
-        fair = [c for c in done if c.keeps_limit] or done
+        """Mark the fastest of those that keep the limit and cut all, if any does."""
+        sound = [c for c in self.cards if c.is_sound]
+        least = min((c.seconds for c in sound), default=None)
         for card in self.cards:
-            card.emphasize(card in fair and card.seconds == min(c.seconds for c in fair))
+            card.emphasize(card in sound and card.seconds == least)
 
     def _end(self) -> None:
         """Give up all jobs and take the cards away."""

@@ -3,12 +3,13 @@
 
 FreeCAD's own panel commits before it recomputes, so that an Undo brings the values back
 and not the path, and closes whatever comes of it. Here OK recomputes within the
-transaction and, when there is no path, says why and stays open; OK once more accepts
-that, or plans again if it was stopped. Cancel aborts the transaction, which takes a new
-operation away altogether. An Undo or Redo, or deleting the operation, closes the panel
-without touching the document; FreeCAD's own panels abort a transaction in the middle of
-the Undo then, which crashes it. It closes like that as well when another command takes
-the dialog away (``FreeCADGui.Control.closeDialog()``), which tells nobody.
+transaction and, when there is no path or one that leaves much of the floor, says so and
+stays open; OK once more accepts that, or plans again if it was stopped. Cancel aborts the
+transaction, which takes a new operation away altogether. An Undo or Redo, or deleting the
+operation, closes the panel without touching the document; FreeCAD's own panels abort a
+transaction in the middle of the Undo then, which crashes it. It closes like that as well
+when another command takes the dialog away (``FreeCADGui.Control.closeDialog()``), which
+tells nobody.
 """
 
 from __future__ import annotations
@@ -26,7 +27,9 @@ from ..fields.rounded import write_no_rounded_depths
 from ..planning.outlook import was_stopped
 from ..qt.later import later
 from ..qt.names import forget_namesakes, renamed, rightly_named
+from ..result.figures import left_out
 from ..texts import messages
+from ..texts.measures import area
 from .room import make_room
 from .values import Values
 
@@ -142,9 +145,9 @@ class TaskPanel(PathOpGui.TaskPanel):
             self.compute()
 
     def compute(self) -> bool:
-        """Take the values over and make the path; return whether there is one.
+        """Take the values over and make the path; return whether there is one of all pockets.
 
-        Shows the errors, except that the user pressed Stop.
+        Shows the errors, except that the user pressed Stop, and what stays uncut.
         """
         self.panelGetFields()
         if was_stopped(self.obj):
@@ -160,7 +163,17 @@ class TaskPanel(PathOpGui.TaskPanel):
         if shown:
             kept = translate("SpiralPocket", "OK once more keeps what was made without that.")
             messages.show(*shown, more=kept if self.obj.Proxy.plans else "")
-        return not errors
+        return not errors and not self._told_left_out()
+
+    def _told_left_out(self) -> bool:
+        """Tell how much of the floor stays uncut, if whole parts do; return whether they do."""
+        left = left_out(self.obj.Proxy.plans)
+        if left:
+            told = translate("SpiralPocket", "{} of the floor stay uncut.").format(area(left))
+            hint = translate("SpiralPocket", "The remarks in the result box say why.")
+            kept = translate("SpiralPocket", "OK once more keeps this path.")
+            messages.show(SpiralPocketError(told, hint), more=kept)
+        return bool(left)
 
     def panelCleanup(self) -> None:  # noqa: N802 - the name FreeCAD calls
         """Stop watching the document; part of every way to close."""

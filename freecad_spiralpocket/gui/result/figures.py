@@ -16,7 +16,7 @@ from ...engine.model import Notice, Plan, Report
 from ...op import commands, request, results
 from ..texts.choices import choice_text
 from ..texts.localized import in_panel
-from ..texts.measures import duration, length, small
+from ..texts.measures import alarming, area, duration, length, small
 
 if TYPE_CHECKING:
     from ..planning.outlook import Outlook
@@ -62,7 +62,7 @@ def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
         ),
         (
             translate("SpiralPocket", "Left uncut in reach"),
-            small(sum(r.uncut_area for r in reports), power=2),
+            area(sum(r.uncut_area for r in reports)),
         ),
         (
             translate("SpiralPocket", "Gouge"),
@@ -76,7 +76,8 @@ def figures_of(obj: Any, plans: Sequence[Plan]) -> list[tuple[str, str]]:
 def summary_of(obj: Any, plans: Sequence[Plan], remarks: Sequence[Remark], missing: int = 0) -> str:
     """Return time, largest engagement and number of remarks in one line, or what is the matter.
 
-    `missing` pockets cannot be cut, which is told too. Empty while nothing is known.
+    `missing` pockets cannot be cut, which is told too. Empty while nothing is known. HTML where
+    something stays uncut.
     """
     if not plans:
         return in_panel(remarks[0].text) if remarks else ""
@@ -86,6 +87,9 @@ def summary_of(obj: Any, plans: Sequence[Plan], remarks: Sequence[Remark], missi
         duration(results.machining_time(plans) if timed else 0.0),
         _largest_engagement(reports),
     ]
+    uncut = uncut_of(plans)
+    if uncut:
+        parts.append(alarming(translate("SpiralPocket", "{} uncut").format(area(uncut))))
     if missing:
         parts.append(translate("SpiralPocket", "pockets not cut: {}").format(missing))
     if remarks:
@@ -102,6 +106,23 @@ def _largest_engagement(reports: Sequence[Report]) -> str:
     return translate("SpiralPocket", "{:.0f}°, limit {:.0f}°").format(
         np.degrees(largest), np.degrees(max(r.engagement_limit for r in reports))
     )
+
+
+def uncut_of(plans: Sequence[Plan]) -> float:
+    """Return how much ground plans leave in the cutter's reach [mm2], 0 if too little to tell."""
+    from ...engine.proof.findings import uncut_allowed  # needs shapely
+
+    left = [(p.report.uncut_area, uncut_allowed(p.request)) for p in plans]
+    return sum(uncut for uncut, allowed in left if uncut > allowed)
+
+
+def left_out(plans: Sequence[Plan]) -> float:
+    """Return how much ground stays uncut in pockets of which whole parts do [mm2], 0 if in none.
+
+    A part is whole that is as large as the cutter: what laps leave between them is smaller.
+    """
+    left = [(p.report.uncut_area, p.request.cutter_radius) for p in plans]
+    return sum(uncut for uncut, radius in left if uncut > np.pi * radius**2)
 
 
 def naive_time(tool_controller: Any, plans: Sequence[Plan]) -> float:

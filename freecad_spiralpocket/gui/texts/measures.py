@@ -17,14 +17,17 @@ _MEASURE = re.compile(r"(-?\d+(?:[.,]\d+)?(?:e-?\d+)?) mm(2?)(?![A-Za-z0-9/])")
 _COORDINATE = re.compile(r"\b([XYZ])(-?\d+(?:[.,]\d+)?)\b")
 
 
-def small(value: float, power: int = 1) -> str:
-    """Return a length [mm] or, with power 2, an area in the unit the user has for a part's size.
+#: What clearly passes a limit, or stays uncut, is written in this color.
+ALARM = "#d9432f"
+
+
+def small(value: float) -> str:
+    """Return a length [mm] in the unit the user has for a part's size.
 
     FreeCAD's own text would turn a gouge of nothing but rounding into nanometers.
     """
     factor, unit = _user_unit()
-    digits = 3 if factor < 20 else 4
-    return f"{decimal(value / factor**power, digits)} {unit}{'²' if power == 2 else ''}"
+    return f"{decimal(value / factor, 3 if factor < 20 else 4)} {unit}"
 
 
 def length(value: float) -> str:
@@ -35,8 +38,19 @@ def length(value: float) -> str:
 
 
 def area(value: float) -> str:
-    """Return the area of a pocket [mm2] in the user's unit."""
-    return f"{value:.0f} mm²" if _user_unit()[1].endswith("m") else small(value, power=2)
+    """Return an area [mm2] in the unit the user has for a part's size, by three digits or whole."""
+    factor, unit = _user_unit()
+    number = value / factor**2
+    size = math.floor(math.log10(number)) if number > 0 else 0
+    finest = 2 if factor < 20 else 4
+    digits = min(finest, max(0, 2 - size))
+    text = decimal(number, digits)
+    return f"{_short(text) if digits else text} {unit}²"
+
+
+def alarming(text: str) -> str:
+    """Return a text as HTML in the color of what the machinist must not overlook."""
+    return f'<span style="color:{ALARM}">{text}</span>'
 
 
 def feed_unit() -> tuple[float, str]:
