@@ -356,10 +356,6 @@
         <translation>Wie weit der Schnitt gezeigt wird</translation>
     </message>
     <message>
-        <source>Color by</source>
-        <translation>Färben nach</translation>
-    </message>
-    <message>
         <source>Feed [{}]</source>
         <translation>Vorschub [{}]</translation>
     </message>

@@ -356,10 +356,6 @@
         <translation>Hasta dónde se muestra el corte</translation>
     </message>
     <message>
-        <source>Color by</source>
-        <translation>Colorear por</translation>
-    </message>
-    <message>
         <source>Feed [{}]</source>
         <translation>Avance [{}]</translation>
     </message>

@@ -356,10 +356,6 @@
         <translation>Jusqu'où la coupe est montrée</translation>
     </message>
     <message>
-        <source>Color by</source>
-        <translation>Colorer selon</translation>
-    </message>
-    <message>
         <source>Feed [{}]</source>
         <translation>Avance [{}]</translation>
     </message>

@@ -356,10 +356,6 @@
         <translation>切削显示进度</translation>
     </message>
     <message>
-        <source>Color by</source>
-        <translation>着色依据</translation>
-    </message>
-    <message>
         <source>Feed [{}]</source>
         <translation>进给 [{}]</translation>
     </message>

@@ -99,6 +99,21 @@ def test_nothing_is_cut_off(form):
             assert text + 3.4 * box.fontMetrics().height() < box.width(), box.objectName()
 
 
+@pytest.mark.parametrize("width", [180, 230, 400])
+def test_preview_box_crushes_nothing(job, floor, width):
+    select(floor)
+    press_toolbar_button()
+    box = panel().operation_page.preview.box
+    box.setParent(None)
+    box.show()
+    box.resize(width, box.heightForWidth(width) if box.hasHeightForWidth() else 0)
+    pump(0.2)
+    for shown in (box.live, box.quantity, box.slider):
+        assert shown.height() >= shown.minimumSizeHint().height()
+    box.hide()
+    press(CANCEL)
+
+
 def test_names_of_colors_do_not_run_into_each_other(form):
     legend = panel().operation_page.preview.box.findChild(Swatches)
     columns = legend.columns(legend.width())

@@ -62,7 +62,7 @@ class PreviewBox(QtGui.QWidget):
         self.slider.setRange(0, STEPS)
         self.slider.setValue(STEPS)
         self.slider.setToolTip(translate("SpiralPocket", "How far the cut is shown"))
-        for widget in (self.play, self.slider):  # which have no words of their own
+        for widget in (self.quantity, self.play, self.slider):  # which have no words of their own
             widget.setAccessibleName(widget.toolTip())
         self.clock = QtGui.QLabel()
         self.status = QtGui.QLabel()
@@ -93,12 +93,9 @@ class PreviewBox(QtGui.QWidget):
     def _lay_out(self) -> None:
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
-        top, color, player = QtGui.QFormLayout(), QtGui.QFormLayout(), QtGui.QHBoxLayout()
-        for form in (top, color):
-            form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)  # in a narrow panel
-            form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
-        color.addRow(translate("SpiralPocket", "Color by"), self.quantity)
-        top.addRow(self.live, color)
+        top, player = QtGui.QHBoxLayout(), QtGui.QHBoxLayout()
+        top.addWidget(self.live)
+        top.addWidget(self.quantity, 1)  # without a label: a panel may be narrow
         for widget in (self.play, self.slider, self.clock):
             player.addWidget(widget)
         layout.addLayout(top)
