@@ -27,6 +27,7 @@ from window import (
 )
 
 from freecad_spiralpocket.engine.model import Strategy
+from freecad_spiralpocket.gui.compare import window
 from freecad_spiralpocket.gui.compare.picture import picture_of
 from freecad_spiralpocket.gui.planning import lanes
 from freecad_spiralpocket.gui.preview.colors import Scale
@@ -116,6 +117,15 @@ def test_what_leaves_the_floor_uncut_has_no_star_and_is_told_when_taken(low_boss
     with answered() as answer:
         press(OK)
     assert not is_panel_open() and not answer.texts
+
+
+def test_window_is_no_larger_than_the_screen(opened, monkeypatch):
+    monkeypatch.setattr(window, "screen_size", lambda: QtCore.QSize(700, 500))
+    page().compare.button.click()
+    shown = page().compare.window.dialog
+    pump()
+    assert shown.width() <= 684 and shown.height() <= 452
+    press(CANCEL)
 
 
 def test_no_star_where_none_is_sound(compared):

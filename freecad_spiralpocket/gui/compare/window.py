@@ -24,6 +24,14 @@ from .card import PICTURE, Card
 translate = FreeCAD.Qt.translate
 
 COLUMNS = 3
+#: What the system draws around a window at most, in pixels.
+FRAME = QtCore.QSize(16, 48)
+
+
+def screen_size() -> QtCore.QSize:
+    """Return how much room windows have on the screen that FreeCAD is on."""
+    screen = FreeCADGui.getMainWindow().windowHandle().screen()
+    return screen.availableGeometry().size()
 
 
 class Comparison:
@@ -55,7 +63,8 @@ class Comparison:
         self.dialog.finished.connect(lambda *_: self._end())
         columns = min(COLUMNS, len(Strategy) + 1)
         rows = -(-(len(Strategy) + 1) // columns)
-        self.dialog.resize(60 + columns * (PICTURE.width() + 30), min(860, 110 + 350 * rows))
+        size = QtCore.QSize(60 + columns * (PICTURE.width() + 30), 110 + 350 * rows)
+        self.dialog.resize(size.boundedTo(screen_size() - FRAME))
 
     def show(self, requests: list[PocketRequest]) -> None:
         """Compare on one of these pockets, at first the largest; begin anew if it is another."""
