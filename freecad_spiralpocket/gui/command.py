@@ -49,7 +49,7 @@ class CommandSpiralPocket:
         return document is not None and not FreeCADGui.Control.activeDialog() and has_job(document)
 
     def Activated(self) -> None:  # noqa: N802 - the name FreeCAD calls
-        """Ask for the job where there are several, make the operation, open the panel."""
+        """Make the operation in the job that is meant, or asked for, and open the panel."""
         if FreeCAD.getActiveTransaction():
             FreeCAD.closeActiveTransaction()
             from .qt.later import later

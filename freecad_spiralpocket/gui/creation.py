@@ -22,7 +22,7 @@ translate = FreeCAD.Qt.translate
 
 
 def create_in_chosen_job() -> None:
-    """Make an operation in the document's job, asking which where there are several."""
+    """Make an operation in the job of what is selected, or the only one; else ask which."""
     job = PathUtils.UserInput.chooseJob(PathUtils.GetJobs())
     if job is None:  # the user cancelled the question
         return
