@@ -221,6 +221,10 @@ def test_start_point_is_taken_from_a_click(operation):
     pump()
     assert not widget("pickStartPoint").isEnabled()
     model, (face,) = operation.Base[0]
+    FreeCADGui.Selection.addSelection(model, face)  # without a click on it
+    pump()
+    assert not widget("pickStartPoint").isEnabled()
+    FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(model, face, 20.0, 15.0, -DEPTH)
     pump()
     widget("pickStartPoint").click()

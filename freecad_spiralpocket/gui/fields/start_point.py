@@ -83,6 +83,9 @@ class StartPointField:
 
 
 def _picked(selection: Sequence[Any]) -> Any:
-    """Return the place that was clicked last, or None."""
-    points = [point for part in selection for point in part.PickedPoints]
+    """Return the place that was clicked last, or None.
+
+    FreeCAD gives the origin where none was, as for what is selected in the tree.
+    """
+    points = [point for part in selection for point in part.PickedPoints if point.Length > 0]
     return points[-1] if points else None
