@@ -212,12 +212,16 @@
         <translation>{} hat keine Werkzeugsteuerung, die eine Tasche räumen kann.</translation>
     </message>
     <message>
-        <source>Type a number.</source>
-        <translation>Eine Zahl eingeben.</translation>
-    </message>
-    <message>
         <source>Type {} to {}.</source>
         <translation>{} bis {} eingeben.</translation>
+    </message>
+    <message>
+        <source>Type more than {} and less than {}.</source>
+        <translation>Mehr als {} und weniger als {} eingeben.</translation>
+    </message>
+    <message>
+        <source>Type a number.</source>
+        <translation>Eine Zahl eingeben.</translation>
     </message>
     <message>
         <source>Type a number; where no unit is typed, it is "{}".</source>
@@ -234,6 +238,10 @@
     <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>Vorschub der Wege in der Tiefe durch geräumte Fläche, 0 für den waagerechten Eilgang</translation>
+    </message>
+    <message>
+        <source>Set by the expression {}</source>
+        <translation>Bestimmt durch den Ausdruck {}</translation>
     </message>
     <message>
         <source>The same step-over as a length, for this cutter</source>
@@ -680,7 +688,7 @@
     </message>
     <message>
         <source>A smaller StepDown makes them smaller; a finishing operation removes them.</source>
-        <translation>Ein kleineres StepDown macht sie kleiner; eine Schlichtoperation entfernt sie.</translation>
+        <translation>Mit kleinerem Wert von StepDown werden sie kleiner; eine Schlichtoperation entfernt sie.</translation>
     </message>
     <message>
         <source>A smaller step-over may clear it.</source>
@@ -1004,7 +1012,7 @@
     </message>
     <message>
         <source>Raise SlotBite, or set it to 0 to have it found.</source>
-        <translation>SlotBite anheben oder auf 0 setzen, damit er bestimmt wird.</translation>
+        <translation>SlotBite anheben oder auf 0 setzen: Dann wird der Wert bestimmt.</translation>
     </message>
     <message>
         <source>Raise StartDepth to the top of the stock, or clear it with an operation before.</source>
@@ -1088,7 +1096,7 @@
     </message>
     <message>
         <source>Set SlotBite to 0 to have it found.</source>
-        <translation>SlotBite auf 0 setzen, damit er bestimmt wird.</translation>
+        <translation>SlotBite auf 0 setzen: Dann wird der Wert bestimmt.</translation>
     </message>
     <message>
         <source>Set SlowdownPercent between 1 and 100; 75 is usual.</source>
@@ -1160,7 +1168,7 @@
     </message>
     <message>
         <source>Set the tool controller's spindle to forward, or the other CutMode.</source>
-        <translation>Die Spindel des Werkzeugcontrollers auf vorwärts stellen oder den anderen CutMode wählen.</translation>
+        <translation>Die Spindel des Werkzeugcontrollers auf vorwärts stellen oder bei CutMode das andere wählen.</translation>
     </message>
     <message>
         <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
@@ -1188,7 +1196,7 @@
     </message>
     <message>
         <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
-        <translation>Einen kleineren Vorschub oder einen kleineren SlotBite nehmen, wenn das dem Fräser zu viel ist.</translation>
+        <translation>Den Vorschub verringern oder den Wert von SlotBite, wenn das dem Fräser zu viel ist.</translation>
     </message>
     <message>
         <source>Take a smaller cutter or the strategy Automatic.</source>

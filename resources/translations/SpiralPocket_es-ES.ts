@@ -212,12 +212,16 @@
         <translation>{} no tiene ningún controlador de herramienta que pueda vaciar una cajera.</translation>
     </message>
     <message>
-        <source>Type a number.</source>
-        <translation>Escriba un número.</translation>
-    </message>
-    <message>
         <source>Type {} to {}.</source>
         <translation>Escriba de {} a {}.</translation>
+    </message>
+    <message>
+        <source>Type more than {} and less than {}.</source>
+        <translation>Escriba más de {} y menos de {}.</translation>
+    </message>
+    <message>
+        <source>Type a number.</source>
+        <translation>Escriba un número.</translation>
     </message>
     <message>
         <source>Type a number; where no unit is typed, it is "{}".</source>
@@ -234,6 +238,10 @@
     <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>Avance de los movimientos en profundidad por zona vaciada, 0 para el rápido horizontal</translation>
+    </message>
+    <message>
+        <source>Set by the expression {}</source>
+        <translation>Fijado por la expresión {}</translation>
     </message>
     <message>
         <source>The same step-over as a length, for this cutter</source>
@@ -680,7 +688,7 @@
     </message>
     <message>
         <source>A smaller StepDown makes them smaller; a finishing operation removes them.</source>
-        <translation>Un StepDown menor los reduce; una operación de acabado los quita.</translation>
+        <translation>Un valor menor de StepDown los reduce; una operación de acabado los quita.</translation>
     </message>
     <message>
         <source>A smaller step-over may clear it.</source>
@@ -1188,7 +1196,7 @@
     </message>
     <message>
         <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
-        <translation>Use un avance menor o un SlotBite menor si es demasiado para la fresa.</translation>
+        <translation>Reduzca el avance o el valor de SlotBite si es demasiado para la fresa.</translation>
     </message>
     <message>
         <source>Take a smaller cutter or the strategy Automatic.</source>

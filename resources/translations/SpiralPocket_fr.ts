@@ -212,12 +212,16 @@
         <translation>{} n'a pas de contrôleur d'outil qui puisse vider une poche.</translation>
     </message>
     <message>
-        <source>Type a number.</source>
-        <translation>Saisissez un nombre.</translation>
-    </message>
-    <message>
         <source>Type {} to {}.</source>
         <translation>Saisissez de {} à {}.</translation>
+    </message>
+    <message>
+        <source>Type more than {} and less than {}.</source>
+        <translation>Saisissez plus de {} et moins de {}.</translation>
+    </message>
+    <message>
+        <source>Type a number.</source>
+        <translation>Saisissez un nombre.</translation>
     </message>
     <message>
         <source>Type a number; where no unit is typed, it is "{}".</source>
@@ -234,6 +238,10 @@
     <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>Avance des trajets en profondeur sur zone vidée, 0 pour l'avance rapide horizontale</translation>
+    </message>
+    <message>
+        <source>Set by the expression {}</source>
+        <translation>Fixé par l'expression {}</translation>
     </message>
     <message>
         <source>The same step-over as a length, for this cutter</source>
@@ -680,7 +688,7 @@
     </message>
     <message>
         <source>A smaller StepDown makes them smaller; a finishing operation removes them.</source>
-        <translation>Un StepDown plus petit les réduit ; une opération de finition les enlève.</translation>
+        <translation>Une valeur plus petite de StepDown les réduit ; une opération de finition les enlève.</translation>
     </message>
     <message>
         <source>A smaller step-over may clear it.</source>
@@ -1188,7 +1196,7 @@
     </message>
     <message>
         <source>Take a lower feed or a smaller SlotBite if that is too heavy for the cutter.</source>
-        <translation>Prenez une avance plus faible ou un SlotBite plus petit si c'est trop pour la fraise.</translation>
+        <translation>Réduisez l'avance ou la valeur de SlotBite si c'est trop pour la fraise.</translation>
     </message>
     <message>
         <source>Take a smaller cutter or the strategy Automatic.</source>

@@ -212,12 +212,16 @@
         <translation>{} 没有可清除型腔的刀具控制器。</translation>
     </message>
     <message>
-        <source>Type a number.</source>
-        <translation>请输入一个数。</translation>
-    </message>
-    <message>
         <source>Type {} to {}.</source>
         <translation>请输入 {} 到 {} 之间的值。</translation>
+    </message>
+    <message>
+        <source>Type more than {} and less than {}.</source>
+        <translation>请输入大于 {} 且小于 {} 的值。</translation>
+    </message>
+    <message>
+        <source>Type a number.</source>
+        <translation>请输入一个数。</translation>
     </message>
     <message>
         <source>Type a number; where no unit is typed, it is "{}".</source>
@@ -234,6 +238,10 @@
     <message>
         <source>Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate</source>
         <translation>在已清除区域内以切深移动时的进给，0 为水平快移速度</translation>
+    </message>
+    <message>
+        <source>Set by the expression {}</source>
+        <translation>由表达式 {} 决定</translation>
     </message>
     <message>
         <source>The same step-over as a length, for this cutter</source>

@@ -153,6 +153,13 @@ def test_what_cannot_be_taken_leaves_the_value_and_is_told(operation, box, lette
     assert "not taken" not in widget("summary").text() + remarks()
 
 
+def test_an_angle_whose_limits_are_refused_is_asked_for_between_them(operation):
+    enter(widget("helixAngle"), "95")
+    told = widget("summary").text().replace(",", ".")
+    assert "Type more than 0.00° and less than 90.00°." in told
+    enter(widget("helixAngle"), "5")
+
+
 def turn_pages(operation):
     """Look at another page of the panel, and fold and unfold the advanced fields."""
     pages = panel().form[0]

@@ -173,9 +173,12 @@ def test_expression_rules_the_step_over(operation):
     assert widget("stepOverPercent").value() == 25
     assert not widget("stepOverPercent").isEnabled()
     assert widget("maxEngagement").isReadOnly()
+    for box in ("stepOverPercent", "stepOver", "maxEngagement"):
+        assert widget(box).toolTip().endswith("\nSet by the expression 30 deg * 2")
     operation.setExpression("MaxEngagement", None)
     pump()
     assert widget("stepOverPercent").isEnabled()
+    assert "expression" not in widget("stepOverPercent").toolTip()
     operation.MaxEngagement = 0
 
 
@@ -199,6 +202,7 @@ def test_what_an_expression_rules_cannot_be_entered(operation, box, kind, name, 
     assert not widget(box).isEnabled()
     operation.recompute()
     assert shown(widget(box), kind) == pytest.approx(value)
+    assert f"expression {text}" in widget(box).toolTip()
     operation.setExpression(name, None)
     assert widget(box).isEnabled()
     setattr(operation, whole, before)

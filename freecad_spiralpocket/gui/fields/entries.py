@@ -127,6 +127,8 @@ class Entry:
         Whether decimals that FreeCAD rounds away are shown.
     is_positive : bool
         Whether 0 is too little.
+    takes_ends : bool
+        Whether to advise the limits themselves.
 
     Attributes
     ----------
@@ -143,9 +145,10 @@ class Entry:
         *,
         is_exact: bool = True,
         is_positive: bool = False,
+        takes_ends: bool = True,
     ) -> None:
         self.box, self._obj, self._names, self.scale = box, obj, names, scale
-        self._is_exact, self._is_positive = is_exact, is_positive
+        self._is_exact, self._is_positive, self._takes_ends = is_exact, is_positive, takes_ends
         is_quantity = box.metaObject().indexOfProperty("rawValue") >= 0
         self._property = "rawValue" if is_quantity else "value"
         if is_quantity:
@@ -240,9 +243,10 @@ class Entry:
             return translate("SpiralPocket", "Type more than 0, at most {}.").format(
                 self.scale.text(high)
             )
-        return translate("SpiralPocket", "Type {} to {}.").format(
-            self.scale.text(low), self.scale.text(high)
-        )
+        advice = translate("SpiralPocket", "Type {} to {}.")
+        if not self._takes_ends:
+            advice = translate("SpiralPocket", "Type more than {} and less than {}.")
+        return advice.format(self.scale.text(low), self.scale.text(high))
 
     def _note(self, text: str) -> None:
         if self._typed is None:

@@ -71,6 +71,13 @@ def expression(obj: Any, name: str) -> str | None:
     return next((text for path, text in obj.ExpressionEngine if path.lstrip(".") == name), None)
 
 
+def tooltip(tip: str, ruling: str | None) -> str:
+    """Return a tooltip that says as well which expression rules the value, if one does."""
+    if ruling is None:
+        return tip
+    return f"{tip}\n" + translate("SpiralPocket", "Set by the expression {}").format(ruling)
+
+
 class _Bound:
     """A widget, an operation and the name of a property of it."""
 
@@ -79,7 +86,8 @@ class _Bound:
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         self.widget, self.obj, self.name = widget, obj, name
         self.names = (name,)
-        widget.setToolTip(translate("App::Property", obj.getDocumentationOfProperty(name)))
+        self.tip = translate("App::Property", obj.getDocumentationOfProperty(name))
+        widget.setToolTip(self.tip)
 
     @property
     def is_ruled(self) -> bool:
@@ -90,6 +98,7 @@ class _Bound:
         """Show the property's value, without any signal."""
         with silent(self.widget):
             self._show()
+        self.widget.setToolTip(tooltip(self.tip, expression(self.obj, self.name)))
 
 
 class Choice(_Bound):
@@ -159,11 +168,14 @@ class Check(_Bound):
 class Quantity(_Bound):
     """A length or an angle in a ``Gui::QuantitySpinBox``, with its unit and expression."""
 
+    takes_ends = True
+
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         super().__init__(widget, obj, name)
         value = getattr(obj, name)
         is_length = value.Unit == FreeCAD.Units.Length
-        self._entry = Entry(widget, obj, self.names, lengths() if is_length else Scale.of(value))
+        scale = lengths() if is_length else Scale.of(value)
+        self._entry = Entry(widget, obj, self.names, scale, takes_ends=self.takes_ends)
         self.entries = (self._entry,)
         widget.setProperty("binding", f"{obj.Name}.{name}")  # for expressions
 
@@ -186,6 +198,12 @@ class Quantity(_Bound):
         return self._entry.signals()
 
 
+class Between(Quantity):
+    """One that must be between the limits of its box; the engine says so at an end."""
+
+    takes_ends = False
+
+
 class LinkFeed(_Bound):
     """The feed of links in FreeCAD's unit for speeds; the property is a plain number in mm/min.
 
@@ -194,12 +212,11 @@ class LinkFeed(_Bound):
 
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         super().__init__(widget, obj, name)
-        widget.setToolTip(
-            translate(
-                "SpiralPocket",
-                "Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate",
-            )
+        self.tip = translate(
+            "SpiralPocket",
+            "Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate",
         )
+        widget.setToolTip(self.tip)
         self._entry = Entry(widget, obj, self.names, speeds())
         self.entries = (self._entry,)
 

@@ -11,7 +11,7 @@ import FreeCADGui
 
 from ..compat import check_box_signal
 from .entries import Entry, lengths
-from .field import expression, set_property, silent
+from .field import expression, set_property, silent, tooltip
 
 translate = FreeCAD.Qt.translate
 
@@ -28,10 +28,8 @@ class StartPointField:
             for axis, box in (("x", form.startPointX), ("y", form.startPointY))
         }
         self.entries = tuple(self._entries.values())
-        self._boxes = [entry.box for entry in self.entries]
-        tip = translate("App::Property", obj.getDocumentationOfProperty("StartPoint"))
-        for widget in (self.check, *self._boxes):
-            widget.setToolTip(tip)
+        self._tip = translate("App::Property", obj.getDocumentationOfProperty("StartPoint"))
+        self._tell_ruling()
         self.button.clicked.connect(self.take_picked)
         self.enable_button(FreeCADGui.Selection.getSelectionEx())
 
@@ -43,6 +41,7 @@ class StartPointField:
         for axis, entry in self._entries.items():
             entry.show(getattr(self.obj.StartPoint, axis))
         self._enable()
+        self._tell_ruling()
 
     def write(self) -> None:
         """Write the point, as far as something else was entered and no expression rules it."""
@@ -80,6 +79,12 @@ class StartPointField:
     def _is_ruled(self, axis: str) -> bool:
         """Return whether an expression says what a coordinate is."""
         return expression(self.obj, f"StartPoint.{axis}") is not None
+
+    def _tell_ruling(self) -> None:
+        self.check.setToolTip(tooltip(self._tip, expression(self.obj, "UseStartPoint")))
+        for axis, entry in self._entries.items():
+            ruling = expression(self.obj, f"StartPoint.{axis}")
+            entry.box.setToolTip(tooltip(self._tip, ruling))
 
 
 def _picked(selection: Sequence[Any]) -> Any:

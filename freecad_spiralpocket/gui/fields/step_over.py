@@ -16,7 +16,7 @@ import FreeCAD
 
 from ...engine.stepover import engagement_angle, radial_depth
 from .entries import PERCENT, Entry, Scale, lengths
-from .field import expression, set_property, silent
+from .field import expression, set_property, silent, tooltip
 
 translate = FreeCAD.Qt.translate
 
@@ -43,7 +43,7 @@ class StepOverField:
             )
         ]
         self.angle.box.setProperty("binding", f"{obj.Name}.MaxEngagement")  # for expressions
-        tips = (
+        self._tips = (
             translate("App::Property", obj.getDocumentationOfProperty("StepOver")),
             translate("SpiralPocket", "The same step-over as a length, for this cutter"),
             translate(
@@ -52,8 +52,7 @@ class StepOverField:
                 "cutter's diameter, 180° in a full slot",
             ),
         )
-        for entry, tip in zip(self.entries, tips, strict=True):
-            entry.box.setToolTip(tip)
+        self._tell_ruling()
 
     def show(self) -> None:
         """Show the step-over in all boxes, without any signal."""
@@ -87,10 +86,20 @@ class StepOverField:
         self.percent.box.setEnabled(not ruled)
         self.length.box.setEnabled(not ruled and diameter > 0)
         self.angle.box.setReadOnly(ruled)
+        self._tell_ruling()
 
     def _is_ruled(self) -> bool:
         """Return whether an expression says what the step-over is."""
-        return any(expression(self.obj, name) for name in ("StepOver", "MaxEngagement"))
+        return self._ruling() is not None
+
+    def _ruling(self) -> str | None:
+        """Return the expression that does, or None."""
+        found = (expression(self.obj, name) for name in ("MaxEngagement", "StepOver"))
+        return next(filter(None, found), None)
+
+    def _tell_ruling(self) -> None:
+        for entry, tip in zip(self.entries, self._tips, strict=True):
+            entry.box.setToolTip(tooltip(tip, self._ruling()))
 
     def _engagement(self) -> float:
         """Return the engagement angle of a straight cut [rad]."""

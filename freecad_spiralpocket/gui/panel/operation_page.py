@@ -17,7 +17,7 @@ from ...engine.model import FeedMode, Strategy
 from ...op.compat import parent_job, supplied_tool_controller
 from ...op.properties import INHERITED, TABLE, option_names
 from ..compat import PathOpGui, PathUtils, has_tool_controller_editor
-from ..fields.field import Check, Choice, Field, LinkFeed, Number, Quantity, silent
+from ..fields.field import Between, Check, Choice, Field, LinkFeed, Number, Quantity, silent
 from ..fields.rounded import write_no_rounded_feeds
 from ..fields.start_point import StartPointField
 from ..fields.step_over import StepOverField
@@ -38,7 +38,7 @@ FIELDS = (
     ("cutMode", "CutMode", Choice),
     ("stockToLeave", "StockToLeave", Quantity),
     ("zStockToLeave", "ZStockToLeave", Quantity),
-    ("helixAngle", "HelixAngle", Quantity),
+    ("helixAngle", "HelixAngle", Between),
     ("helixDiameterLimit", "HelixDiameterLimit", Quantity),
     ("machine", "Machine", Choice),
     ("feedMode", "FeedMode", Choice),
