@@ -22,6 +22,7 @@ from window import (
     widget,
 )
 
+from freecad_spiralpocket.gui.plots import button as plot_button
 from freecad_spiralpocket.gui.plots import dock as plot_dock
 from freecad_spiralpocket.gui.plots.curves import curves_of
 from freecad_spiralpocket.gui.plots.dock import NAME
@@ -47,6 +48,18 @@ def opened(job, floor):
     FreeCADGui.Selection.clearSelection()
     wait_for(lambda: page().outlook.is_settled, 60)
     return job.Operations.Group[0]
+
+
+def test_plots_of_the_same_path_are_reckoned_once(opened, monkeypatch):
+    made = []
+    monkeypatch.setattr(plot_button, "curves_of", lambda *a: made.append(a) or curves_of(*a))
+    for wanted in (True, False, True):
+        page().plots.button.setChecked(wanted)
+        pump()
+    assert len(made) == 1 and page().plots.dock._curves is not None
+    opened.ToolController.SpindleSpeed = 9000
+    wait_for(lambda: len(made) == 2)
+    press(CANCEL)
 
 
 def test_curves_are_the_plans(opened):

@@ -8,10 +8,11 @@ from typing import Any
 import FreeCAD
 from PySide import QtGui
 
+from ...beside.tasks import Drawn
 from ...engine.errors import SpiralPocketError
 from ..planning.outlook import Outlook
 from ..texts import messages
-from .curves import curves_of
+from .curves import Curves, curves_of
 from .dock import PlotDock
 
 translate = FreeCAD.Qt.translate
@@ -24,6 +25,7 @@ class Plots:
         self._page = page
         self._outlook = Outlook.of(page)
         self._shown: tuple[Any, ...] | None = None
+        self._known: tuple[Any, Curves] | None = None  # the last curves and what they are of
         self.dock: PlotDock | None = None
         self.button = QtGui.QPushButton(translate("SpiralPocket", "Plots"))
         self.button.setToolTip(
@@ -81,4 +83,12 @@ class Plots:
         shown = (*map(id, drawn), *forces)
         if shown != self._shown:
             self._shown = shown
-            self.dock.show(curves_of(drawn, controller) if drawn else None)
+            self.dock.show(self._curves_of(drawn, forces) if drawn else None)
+
+    def _curves_of(self, drawn: list[Drawn], forces: tuple[Any, ...]) -> Curves:
+        """Return the curves, from the last time if they were the same."""
+        known = self._known
+        if known is None or known[0] != (drawn, forces):
+            known = (drawn, forces), curves_of(drawn, self._page.obj.ToolController)
+        self._known = known
+        return known[1]
