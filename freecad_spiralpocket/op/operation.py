@@ -39,6 +39,7 @@ from .rest_watch import RestWatch, names_before
 from .tools import UNSUITABLE_TOOLS
 
 if TYPE_CHECKING:
+    from .known import Known
     from .pockets import Planner
 
 #: The name under which the setup sheet keeps presets; also that of new operations.
@@ -59,6 +60,8 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         the class by the graphical side, if there is one.
     planner : Planner or None
         What plans the pockets, see `pockets`; set on the class by the graphical side.
+    known : Known or None
+        What the panel knows of the model, while it has the path made; transient.
     before : tuple of str or None
         The names of all operations before this one at the last recompute; transient.
     """
@@ -67,6 +70,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
     planner: Planner | None = None
     errors: list[SpiralPocketError] | tuple[()] = ()
     plans: list[Plan] | tuple[()] = ()
+    known: Known | None = None
     before: tuple[str, ...] | None = None
     _earlier: list[Plan] | tuple[()] = ()
 
@@ -183,7 +187,7 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
         require_libraries()
         from .pockets import Pockets  # needs shapely
 
-        pockets = Pockets(obj, self._earlier)
+        pockets = Pockets(obj, self._earlier, self.known)
         factory = type(self).progress_factory
         with factory(obj.Label) if factory else nullcontext() as progress:
             pockets.plan(progress, type(self).planner)

@@ -31,6 +31,7 @@ from window import (
 
 from freecad_spiralpocket.gui.panel.task_panel import AFTER_LAYOUT
 from freecad_spiralpocket.gui.qt.names import shiboken
+from freecad_spiralpocket.op import pockets
 
 
 def test_new_operation_takes_the_selected_face(job, floor):
@@ -218,6 +219,17 @@ def test_cancel_takes_an_edit_back_although_something_was_renamed(doc, operation
     assert not differences(before, snapshot(doc))
     assert "Touched" not in operation.State
     assert operation.StepOver == 40 and operation.Proxy.plans
+
+
+def test_what_the_preview_has_read_off_the_part_is_not_read_again(job, floor, monkeypatch):
+    select(floor)
+    press_toolbar_button()
+    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    read = []
+    monkeypatch.setattr(pockets.walls, "Walls", lambda *a, **k: read.append(a))
+    press(OK)
+    (operation,) = job.Operations.Group
+    assert operation.Path.Length and not read and operation.Proxy.known is None
 
 
 def test_opening_the_panel_leaves_nothing_to_compute(operation):

@@ -152,7 +152,11 @@ class TaskPanel(PathOpGui.TaskPanel):
         self.panelGetFields()
         if was_stopped(self.obj):
             self.obj.touch()
-        self.document.recompute()
+        self.obj.Proxy.known = self.operation_page.outlook.known
+        try:
+            self.document.recompute()
+        finally:
+            self.obj.Proxy.known = None
         self.setClean()
         if was_stopped(self.obj):
             self.isdirty = True  # so that Apply can be pressed again

@@ -45,6 +45,8 @@ class Outlook:
         What is to be told of the pockets before they are planned.
     listeners : list of callable
         Called after every change of what can be seen here.
+    known : Known
+        What was read off the model.
     is_on, is_stopped : bool
         Whether it looks at all; whether proofs wait for the next change, as Stop was pressed.
     """
@@ -56,7 +58,7 @@ class Outlook:
         self.notices: list[Notice] = []
         self.listeners: list[Callable[[], None]] = []
         self.is_on, self.is_stopped = True, False
-        self._known = Known()
+        self.known = Known()
         self._is_closed = False
         self._soon, self._quiet, self._news = (QtCore.QTimer() for _ in range(3))
         for timer, slot in (
@@ -174,15 +176,15 @@ class Outlook:
 
     def _look(self) -> None:
         """Foresee the requests; keep the pockets that stayed the same."""
-        if len(self._known) > MOST_KNOWN:
-            self._known = Known()
+        if len(self.known) > MOST_KNOWN:
+            self.known = Known()
         try:
             require_libraries()
             from ...op.foresight import requests_of
 
             found, self.notices, labels = [], [], []
             if self._obj.Active:
-                found, self.notices, labels = requests_of(self._obj, self._known)
+                found, self.notices, labels = requests_of(self._obj, self.known)
         except SpiralPocketError as error:
             found, self.notices, labels = [error], [], [""]
         pairs = list(zip(labels, found, strict=True))
