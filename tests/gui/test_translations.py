@@ -192,7 +192,7 @@ def test_every_sentence_is_recognized_before_and_after_another(marked, template)
     assert localized(said) == f"Part, Face3: «{other}» «{sentence}» «{other}»"
 
 
-@pytest.mark.parametrize("language", ["German", "French", "Spanish", "Chinese (Simplified)"])
+@pytest.mark.parametrize("language", ["German", "French", "Spanish"])
 def test_what_a_strategy_leaves_is_told_in_one_language(language):
     said = (
         "Central Spiral cannot go round islands; there is one at {at}.",
