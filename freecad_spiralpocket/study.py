@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 from shapely import Polygon
 
+from .engine.contact.air import Stock
 from .engine.contact.engagement import Engagement, along_path
 from .engine.machine import Machine
 from .engine.model import Floats
@@ -76,7 +77,7 @@ class Study:
             setup.cutter.diameter / 2,
             axial_depth=setup.axial_depth,
             top=setup.top,
-            stock=setup.stock,
+            stock=Stock.of(setup.stock),
         )
 
     @cached_property

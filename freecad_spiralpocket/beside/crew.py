@@ -67,14 +67,14 @@ def plan_together(
 
 
 def lay_together(
-    regions: Sequence[Polygon], request: PocketRequest, tick: Tick, helpers: int = HELPERS
+    asked: Sequence[tuple[Polygon, PocketRequest]], tick: Tick, helpers: int = HELPERS
 ) -> list[FloorPath | SpiralPocketError]:
     """Return the path of each region or what is the matter with it; a `FloorPaths`.
 
     Parameters
     ----------
-    regions : sequence of shapely.Polygon
-    request : PocketRequest
+    asked : sequence of tuple
+        Each region and its request.
     tick : callable
     helpers : int
         Processes to start at most.
@@ -84,14 +84,14 @@ def lay_together(
     CancelledError
         If `tick` does; the processes are ended.
     """
-    work = _Work([("packed_floor_path", (region, request)) for region in regions])
+    work = _Work([("packed_floor_path", each) for each in asked])
 
     def here(number: int) -> FloorPath | SpiralPocketError:
         def tick_one(done: float) -> None:
             work.advance(number, done)
             tick(work.share)
 
-        return floor_path(regions[number], request, tick_one)
+        return floor_path(*asked[number], tick_one)
 
     return work.outcome(here, lambda: tick(work.share), helpers)
 

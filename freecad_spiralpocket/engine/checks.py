@@ -203,6 +203,7 @@ def _check_sections(request: PocketRequest) -> None:
     for section in request.sections:
         _check_outline(section.pocket)
         _check_ground("the pocket's mouth", section.mouth)
+        _check_ground("the stock", section.stock)
         if not 0 < top - section.z < request.heights.step_down + NESTED:
             raise RequestError(
                 f"The level from Z{top:g} to Z{section.z:g} is not between 0 and the step down of "

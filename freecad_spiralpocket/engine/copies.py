@@ -145,7 +145,7 @@ def _without_places(request: PocketRequest, pocket: Polygon) -> PocketRequest:
 def _shapes(request: PocketRequest) -> list[Geometry | None]:
     """Return all shapes of a request; its start point is one."""
     start = None if request.start_point is None else shapely.Point(request.start_point)
-    steps = [s for section in request.sections for s in (section.pocket, section.mouth)]
+    steps = [s for each in request.sections for s in (each.pocket, each.mouth, each.stock)]
     return [request.pocket, start, request.stock, request.beyond, *steps]
 
 

@@ -21,10 +21,10 @@ from .model import CutMode, PocketRequest, Strategy, Tick
 from .opening.open_sides import needed
 from .sizes import planned_resized
 
-#: Lays the paths of regions: called with them, their request and what is told how far all are,
+#: Lays the paths of regions: called with each and its request, and what is told how far all are,
 #: returns for each its path, or what is the matter with it.
 FloorPaths: TypeAlias = Callable[
-    [Sequence[Polygon], PocketRequest, Tick], Sequence[FloorPath | SpiralPocketError]
+    [Sequence[tuple[Polygon, PocketRequest]], Tick], Sequence[FloorPath | SpiralPocketError]
 ]
 
 
@@ -46,14 +46,14 @@ _STRATEGIES: dict[Strategy, Callable[[Polygon, PocketRequest, Tick], FloorPath]]
 
 
 def floor_paths(
-    regions: Sequence[Polygon], request: PocketRequest, tick: Tick
+    asked: Sequence[tuple[Polygon, PocketRequest]], tick: Tick
 ) -> list[FloorPath | SpiralPocketError]:
     """Return the path of each region or what is the matter with it, laid one after the other."""
 
     def share(number: int) -> Tick:
-        return lambda done: tick((number + done) / len(regions))
+        return lambda done: tick((number + done) / len(asked))
 
-    return [floor_path(region, request, share(i)) for i, region in enumerate(regions)]
+    return [floor_path(*each, share(i)) for i, each in enumerate(asked)]
 
 
 def floor_path(

@@ -5,17 +5,17 @@ As FreeCAD's own operations do it: full steps down from the start depth, what
 is left as the last one, and, where a finish depth is set, one thin level at
 the very end. A flat ledge in the wall, or the top of a low island, is a floor too:
 the steps end on it and begin anew below. This is the one place that decides the
-levels; what the walls leave free at each of them comes with the request.
+levels; what the walls leave free at each of them, and what stands there, comes with the request.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from shapely import Polygon
+from shapely import MultiPolygon, Polygon
 
 from .model import Heights, PocketRequest
 
@@ -35,27 +35,39 @@ class Level:
         Free for the cutter at the bottom.
     mouth : shapely.Polygon
         Free at the top.
+    stock : shapely.Polygon or MultiPolygon or None
+        Where material stands before the first move; None: everywhere.
     """
 
     top: float
     bottom: float
     pocket: Polygon
     mouth: Polygon
+    stock: Polygon | MultiPolygon | None = None
 
 
 def levels_of(request: PocketRequest) -> list[Level]:
     """Return the levels of a request, highest first."""
     if request.sections:
         bottoms = [s.z for s in request.sections]
-        shapes = [(s.pocket, s.mouth or s.pocket) for s in request.sections]
+        shapes = [
+            (s.pocket, s.mouth or s.pocket, request.stock if s.stock is None else s.stock)
+            for s in request.sections
+        ]
     else:
         bottoms = floors(request.heights, request.cutting.floor_stock)
-        shapes = [(request.pocket, request.pocket)] * len(bottoms)
+        shapes = [(request.pocket, request.pocket, request.stock)] * len(bottoms)
     heights = pairwise([request.heights.start_depth, *bottoms])
     return [
-        Level(top, bottom, pocket, mouth)
-        for (top, bottom), (pocket, mouth) in zip(heights, shapes, strict=True)
+        Level(top, bottom, *shape) for (top, bottom), shape in zip(heights, shapes, strict=True)
     ]
+
+
+def at_level(request: PocketRequest, level: Level) -> PocketRequest:
+    """Return the request for one of the levels alone, the same where all have the same stock."""
+    if level.stock is request.stock:
+        return request
+    return replace(request, pocket=level.pocket, stock=level.stock, sections=())
 
 
 def floors(heights: Heights, floor_stock: float = 0.0, ledges: Sequence[float] = ()) -> list[float]:

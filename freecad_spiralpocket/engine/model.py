@@ -177,11 +177,15 @@ class Section:
     mouth : shapely.Polygon or None
         Free at the top of the level; what it has more than `pocket` stays as a step on the wall.
         None where the walls of this level are vertical.
+    stock : shapely.Polygon or MultiPolygon or None
+        Where material stands from `z` up to the level above, before the first move [mm]: no less
+        than stands higher up. None for `PocketRequest.stock`.
     """
 
     z: float
     pocket: Polygon
     mouth: Polygon | None = None
+    stock: Polygon | MultiPolygon | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,7 +211,8 @@ class PocketRequest:
     stock : shapely.Polygon or MultiPolygon or None
         Where material stands before the first move, down to the floor, seen from above [mm]. What
         is outside of it is air: beside the stock, where the pocket may reach to at open sides,
-        and where it was cleared before. None: there is stock everywhere.
+        and where it was cleared before. None: there is stock everywhere. Where sections have their
+        own this is what is left to cut at any of them.
     beyond : shapely.Polygon or MultiPolygon or None
         Ground of the pocket beyond its open sides, which may be cut but need not be [mm].
     sections : tuple of Section

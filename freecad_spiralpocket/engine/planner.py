@@ -31,7 +31,7 @@ from .errors import (
 from .floor import FloorPath
 from .floor_paths import FloorPaths, floor_path, floor_paths
 from .growth.front_rules import MEETING
-from .levels import levels_of
+from .levels import at_level, levels_of
 from .machine import machine_of
 from .model import (
     CutMode,
@@ -129,14 +129,17 @@ def _rooms_with_stock(request: PocketRequest) -> tuple[list[Room], list[Notice]]
     """
     stock = request.cutting.stock_to_leave
     rooms, notices = rooms_of(levels_of(request), request.cutter_radius, stock)
-    if request.stock is not None:
-        rooms = [room for room in rooms if is_left(room.region, request)]
+    rooms = [room for room in rooms if _is_left(room, request)]
     if not rooms:
         raise AlreadyClearedError(
             "Earlier operations have cleared this pocket as far as this cutter reaches.",
             "Unset UseRestMachining to cut it all the same.",
         )
     return rooms, notices
+
+
+def _is_left(room: Room, request: PocketRequest) -> bool:
+    return room.level.stock is None or is_left(room.region, at_level(request, room.level))
 
 
 def _width_notices(request: PocketRequest) -> list[Notice]:
@@ -287,26 +290,27 @@ def _cuts(
 ) -> tuple[list[Cut], tuple[Notice, ...]]:
     """Return a path for each room that can be cut, and a notice for each that cannot.
 
-    Rooms with the same region have the same path; under a room that is not cut none is.
+    Rooms with the same region in the same stock have the same path; under a room that cannot be cut
+    none is.
     """
 
     def tick(done: float) -> None:
         report_progress(progress, 0.1 + 0.6 * done, "Laying the spiral")
 
-    regions = {room.region.wkb: room.region for room in rooms}
-    paths = dict(zip(regions, lay([*regions.values()], request, tick), strict=True))
+    asked = {room.ground: (room.region, at_level(request, room.level)) for room in rooms}
+    paths = dict(zip(asked, lay([*asked.values()], tick), strict=True))
     cuts: list[Cut] = []
     failures: list[tuple[Room, SpiralPocketError]] = []
-    cut_rooms: set[Room | None] = {None}
+    shut: set[Room | None] = set()
     for room in rooms:
-        path = paths[room.region.wkb]
-        if room.above not in cut_rooms:
-            continue
-        if isinstance(path, FloorPath):
+        path = paths[room.ground]
+        if room.above in shut:
+            shut.add(room)
+        elif isinstance(path, FloorPath):
             cuts.append(Cut(room, path))
-            cut_rooms.add(room)
         else:
             failures.append((room, path))
+            shut.add(room)
     if not cuts:
         raise failures[0][1]
     tops = {cut.room.level.top for cut in cuts}

@@ -22,6 +22,7 @@ from shapely import Point, Polygon
 
 from .floor import FloorPath, Pass
 from .growth.front_rules import MEETING
+from .levels import at_level
 from .links.passes import with_leads
 from .model import PocketRequest, Report, Strategy
 from .proof.findings import TOUCH, gouge_allowed, uncut_allowed
@@ -64,6 +65,8 @@ class Proved:
     complete: bool = True
 
 
+#: What tells apart rooms that are cut by different paths, see `Room.ground`.
+Ground = tuple[bytes, bytes | None]
 #: Returns the proved path of cuts.
 Prover = Callable[[Sequence[Cut]], Proved]
 #: Returns the path of a region by other settings; None if these cannot cut it.
@@ -139,7 +142,7 @@ class _Repair:
         self._request, self._plan_again = request, plan_again
         self._led: set[Pass] = set()
         self._lifted: set[Pass] = set()
-        self._settings: dict[bytes, list[PocketRequest]] = {}
+        self._settings: dict[Ground, list[PocketRequest]] = {}
 
     def relinked(self, proved: Proved) -> list[Cut] | None:
         """Return cuts with other links where these run through stock; None without any new."""
@@ -181,19 +184,19 @@ class _Repair:
 
     def planned_again(self, proved: Proved) -> list[Cut] | None:
         """Return the cuts with new paths where something is wrong; None without any."""
-        new: dict[bytes, tuple[FloorPath, PocketRequest]] = {}
+        new: dict[Ground, tuple[FloorPath, PocketRequest]] = {}
         for cut in _sick(proved, self._request):
-            key = cut.room.region.wkb
+            key = cut.room.ground
             settings = self._settings.setdefault(key, other_settings(self._request))
             while key not in new and settings:
                 other = settings.pop(0)
-                path = self._plan_again(cut.room.region, other)
+                path = self._plan_again(cut.room.region, at_level(other, cut.room.level))
                 if path is not None:
                     new[key] = path, other
         if not new:
             return None
         return [
-            Cut(cut.room, *new.get(cut.room.region.wkb, (cut.path, cut.settings)))
+            Cut(cut.room, *new.get(cut.room.ground, (cut.path, cut.settings)))
             for cut in proved.cuts
         ]
 

@@ -39,6 +39,12 @@ class Room:
     level: Level
     above: Room | None
 
+    @property
+    def ground(self) -> tuple[bytes, bytes | None]:
+        """Return what tells apart rooms that are cut by different paths."""
+        stock = self.level.stock
+        return self.region.wkb, None if stock is None else stock.wkb
+
 
 def rooms_of(
     levels: Sequence[Level], cutter_radius: float, stock: float

@@ -144,11 +144,12 @@ def _resized_entry(entry: WayDown, factor: float) -> WayDown:
 
 
 def _resized_section(section: Section, factor: float) -> Section:
-    mouth = section.mouth
+    mouth, stock = section.mouth, section.stock
     return Section(
         factor * section.z,
         resized(section.pocket, factor),
         None if mouth is None else resized(mouth, factor),
+        None if stock is None else resized(stock, factor),
     )
 
 

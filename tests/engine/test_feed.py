@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import box
 
+from freecad_spiralpocket.engine.contact.air import Stock
 from freecad_spiralpocket.engine.contact.engagement import along_path
 from freecad_spiralpocket.engine.motion.feed import (
     DEAD_BAND,
@@ -167,7 +168,8 @@ def test_ways_down_between_cuts_without_stock_keep_their_feeds(mode):
     builder.line((0.0, 20.0, 0.0), FEED, Role.CUT)
     path = builder.build()
     # air from X20 on, and no sample on moves straight up and down
-    engagement = along_path(path, RADIUS, axial_depth=5.0, top=5.0, stock=box(-40, -40, 20, 60))
+    stock = Stock.of(box(-40, -40, 20, 60))
+    engagement = along_path(path, RADIUS, axial_depth=5.0, top=5.0, stock=stock)
     planned = plan_feeds(path, engagement, rules(mode))
     assert (planned.roles == Role.LINK).sum() >= 2
     entries = planned.roles == Role.ENTRY

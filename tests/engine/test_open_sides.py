@@ -13,6 +13,7 @@ from shapes import HEIGHTS, assert_ways_down_are_fed, lifts, rounded
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine.contact.air import Stock
 from freecad_spiralpocket.engine.contact.engagement import along_path
 from freecad_spiralpocket.engine.floor import Plunge
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Strategy
@@ -141,7 +142,7 @@ def straight(y, *more):
 
 @pytest.mark.parametrize("depth", [0.3, 1.2, 3.0, 4.5, 6.0])
 def test_engagement_beside_the_stock_is_that_of_the_closed_form(depth):
-    engagement = along_path(straight(depth - R), R, axial_depth=5.0, stock=PLATE)
+    engagement = along_path(straight(depth - R), R, axial_depth=5.0, stock=Stock.of(PLATE))
     inside = (engagement.points[:, 0] > 10) & (engagement.points[:, 0] < 90)
     wanted = math.acos(1 - depth / R)
     assert engagement.angles[inside] == pytest.approx(wanted, abs=1e-6)
@@ -155,7 +156,7 @@ def test_engagement_round_a_disc_is_that_of_the_closed_form(depth):
     builder = ToolpathBuilder((radius, 0.0, -5.0))
     for turn in np.radians(np.arange(-5.0, -360.0, -5.0)):  # climb round a boss: clockwise
         builder.line((radius * math.cos(turn), radius * math.sin(turn), -5.0), 20.0, Role.CUT)
-    engagement = along_path(builder.build(), R, axial_depth=5.0, stock=DISC)
+    engagement = along_path(builder.build(), R, axial_depth=5.0, stock=Stock.of(DISC))
     # from the inward direction to where the rim leaves the disc; the leading half takes that much
     wanted = math.acos((radius**2 + R**2 - 40**2) / (2 * radius * R))
     bearing = np.degrees(np.arctan2(*engagement.points[:, 1::-1].T))

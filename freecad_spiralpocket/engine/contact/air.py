@@ -1,21 +1,89 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Air: ground that is free before any motion, beside the stock and where it was cleared before.
 
+What was cleared before may differ from level to level: `Stock` has a layer for each.
 Where the cutter's rim crosses the edge of the stock it passes from one to the other; between two
 crossings all of it is in the stock or all of it in the air. The crossings are exact.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from ..levels import Level
 from ..model import Floats
 from ..shapes.shaping import Region, edges_of
+from .swept import SAME_HEIGHT
 
 #: Centers that are compared with all edges at once.
 PORTION = 20_000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stock:
+    """Where material stands before the first move.
+
+    Attributes
+    ----------
+    bottoms : ndarray of shape (n,)
+        Z of the layers, highest first [mm]. Each goes up to the one above it, the highest for ever;
+        below the lowest it is as in that.
+    regions : tuple of shapely.Polygon, MultiPolygon or None, n of them
+        What stands in each; None: all.
+    """
+
+    bottoms: Floats
+    regions: tuple[Region | None, ...]
+
+    @classmethod
+    def of(cls, region: Region | None) -> Stock:
+        """Return stock that is the same at all heights; None: it is everywhere."""
+        return cls(np.array([-np.inf]), (region,))
+
+    @classmethod
+    def at_levels(cls, levels: Sequence[Level]) -> Stock:
+        """Return the stock that stands at levels, highest first; those alike are one layer."""
+        below = [*levels[1:], None]
+        last = [
+            a for a, b in zip(levels, below, strict=True) if b is None or a.stock is not b.stock
+        ]
+        return cls(np.array([each.bottom for each in last]), tuple(each.stock for each in last))
+
+    def layers(self, heights: Floats) -> NDArray[np.intp]:
+        """Return the numbers of the layers in which heights lie, shape (k,) [mm]."""
+        above = np.searchsorted(-self.bottoms, -(heights + SAME_HEIGHT))
+        return np.minimum(above, len(self.regions) - 1)
+
+    def at(self, height: float) -> Region | None:
+        """Return what stands at a height [mm]."""
+        return self.regions[self.layers(np.array([height]))[0]]
+
+    def in_air(
+        self, points: Floats, headings: Floats, r: float
+    ) -> tuple[NDArray[np.int64], Floats, Floats]:
+        """Return the rim intervals outside of the stock at the height of each center.
+
+        Parameters and what is returned are those of `intervals_in_air`; `points` are of shape
+        (k, 3) [mm].
+        """
+        layers = self.layers(points[:, 2])
+        found = [(np.zeros(0, np.int64), np.zeros(0), np.zeros(0))]
+        for number, region in enumerate(self.regions):
+            here = np.flatnonzero(layers == number)
+            if region is not None and len(here):
+                rims, low, high = intervals_in_air(points[here, :2], headings[here], region, r)
+                found.append((here[rims], low, high))
+        rims, low, high = (np.concatenate(parts) for parts in zip(*found, strict=True))
+        return rims, low, high
+
+
+#: There is stock wherever nothing was cut.
+EVERYWHERE = Stock.of(None)
 
 
 def intervals_in_air(

@@ -2,9 +2,10 @@
 """How much of a full axial depth stands where the rim is engaged.
 
 Earlier motion that passed above the cutter has left lower ground: a slot opened in
-steps, a helix. What stands at a height is what neither the motion at the cutter's own
-depth nor that up to this height has cleared; it is constant between the heights that
-occur, so a walk over these, from below, sums it up exactly. Ramps are taken as steps.
+steps, a helix; so may operations before this one have done. What stands at a height is
+what neither the motion at the cutter's own depth nor that up to this height has cleared;
+it is constant between the heights that occur, so a walk over these, from below, sums it
+up exactly. Ramps are taken as steps.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 
 from ..model import Floats
 from ..numerics.distinct import distinct
+from .air import Stock, intervals_in_air
 from .gaps import Gaps
 from .neighbors import pairs_of
 from .rim import cleared_intervals
@@ -25,7 +27,13 @@ HEIGHT_STEP = 1 / 32
 
 
 def standing_share(
-    gaps: Gaps, samples: Samples, pieces: Pieces, r: float, axial_depth: float, top: float
+    gaps: Gaps,
+    samples: Samples,
+    pieces: Pieces,
+    r: float,
+    axial_depth: float,
+    top: float,
+    stock: Stock,
 ) -> tuple[Floats, Floats]:
     """Return the uncleared angle, averaged over the axial depth from each sample's Z upwards.
 
@@ -37,6 +45,7 @@ def standing_share(
     pieces : Pieces
     r, axial_depth, top : float
         Cutter radius, axial depth of a full cut and Z of the top of the stock [mm].
+    stock : Stock
 
     Returns
     -------
@@ -54,7 +63,10 @@ def standing_share(
     around = (samples.points[:, :2] + middle.T, reach)
     rows, piece = _higher_pairs(samples, angle > 0, pieces, heights, ceiling, around)
     pair, low, high = cleared_intervals(samples, rows, piece, pieces, r)
-    rows, at = rows[pair], heights[piece[pair]]
+    air_rows, air_at, air_low, air_high = _air_above(samples, angle > 0, ceiling, stock, r)
+    rows = np.concatenate([rows[pair], air_rows])
+    at = np.concatenate([heights[piece[pair]], air_at])
+    low, high = np.concatenate([low, air_low]), np.concatenate([high, air_high])
     order = np.lexsort((at, rows))
     rows, at, low, high = rows[order], at[order], low[order], high[order]
     rank = _ranks(rows, at)
@@ -77,6 +89,23 @@ def standing_share(
         before = touched
     rise = np.maximum(ceiling - level, 0.0)
     return (load + angle * rise) / axial_depth, bite + ahead * rise
+
+
+def _air_above(
+    samples: Samples, asking: NDArray[np.bool_], ceiling: Floats, stock: Stock, r: float
+) -> tuple[NDArray[np.int64], Floats, Floats, Floats]:
+    """Return the rim intervals that are air from a layer above the sample on, and from which Z."""
+    z = samples.points[:, 2]
+    found = [(np.zeros(0, np.int64), np.zeros(0), np.zeros(0), np.zeros(0))]
+    for bottom, region in zip(stock.bottoms, stock.regions, strict=True):
+        below = (z + SAME_HEIGHT < bottom) & (bottom < ceiling - SAME_HEIGHT)
+        mine = np.flatnonzero(asking & below)
+        if region is not None and len(mine):
+            here = samples.select(mine)
+            rims, low, high = intervals_in_air(here.points[:, :2], here.headings, region, r)
+            found.append((mine[rims], np.full(len(rims), bottom), low, high))
+    rows, at, low, high = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    return rows, at, low, high
 
 
 def _ranks(rows: NDArray[np.int64], at: Floats) -> NDArray[np.intp]:

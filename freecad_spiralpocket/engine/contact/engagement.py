@@ -22,10 +22,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ..levels import levels_of
 from ..model import Floats, PocketRequest
-from ..shapes.shaping import Region
 from ..toolpath import Toolpath
-from .air import intervals_in_air
+from .air import EVERYWHERE, Stock
 from .axial import standing_share
 from .gaps import Gaps, standing
 from .levels_alike import find_twins
@@ -90,7 +90,7 @@ def engagement_of(toolpath: Toolpath, request: PocketRequest) -> Engagement:
         request.cutter_radius,
         axial_depth=request.axial_depth,
         top=request.heights.start_depth,
-        stock=request.stock,
+        stock=Stock.at_levels(levels_of(request)),
     )
 
 
@@ -100,7 +100,7 @@ def along_path(
     *,
     axial_depth: float,
     top: float = 0.0,
-    stock: Region | None = None,
+    stock: Stock = EVERYWHERE,
     spacing: float | None = None,
 ) -> Engagement:
     """Measure the engagement of all moves below the top of the stock, rapids too.
@@ -115,8 +115,7 @@ def along_path(
         where that is less.
     top : float
         Z of the top of the stock [mm].
-    stock : shapely.Polygon, optional
-        Where it stands before the first move [mm]; by default everywhere.
+    stock : Stock, optional
     spacing : float, optional
         Largest distance of samples [mm], by default a fifth of the radius. Where neighbors
         differ by more than 3 degrees they come as close as a quarter of this.
@@ -162,9 +161,7 @@ def along_path(
     )
 
 
-def _solid_arrivals(
-    samples: Samples, pieces: Pieces, r: float, stock: Region | None
-) -> NDArray[np.bool_]:
+def _solid_arrivals(samples: Samples, pieces: Pieces, r: float, stock: Stock) -> NDArray[np.bool_]:
     """Return where level motion begins with nearly all of the rim in uncleared ground."""
     level = pieces.is_level[samples.pieces] & ~pieces.rapid[samples.pieces]
     climbs = np.cumsum(~pieces.is_level | (pieces.lengths == 0))[samples.pieces]
@@ -184,13 +181,13 @@ def _measure(
     r: float,
     axial_depth: float,
     top: float,
-    stock: Region | None,
+    stock: Stock,
 ) -> Floats:
     """Return weighted angles [rad], chips, radial depths and bites [mm], shape (4, n)."""
     n = len(samples)
     if n == 0:
         return np.zeros((4, 0))
-    twins = find_twins(samples, pieces)
+    twins = find_twins(samples, pieces, stock)
     new = twins == np.arange(n)
     gaps = uncleared(samples.select(new), pieces, r, stock=stock)
     gaps = gaps.repeated(np.cumsum(new)[twins] - 1)
@@ -198,7 +195,8 @@ def _measure(
     for first in range(0, n, PORTION):
         some = np.arange(first, min(first + PORTION, n))
         here = samples.select(some)
-        shares.append(standing_share(gaps.repeated(some), here, pieces, r, axial_depth, top))
+        mine = gaps.repeated(some)
+        shares.append(standing_share(mine, here, pieces, r, axial_depth, top, stock))
     load, bites = np.concatenate(shares, axis=1)
     return np.stack([load, gaps.foremost(n), gaps.widths(n, r), bites])
 
@@ -208,7 +206,7 @@ def uncleared(
     pieces: Pieces,
     r: float,
     half: float = np.pi / 2,
-    stock: Region | None = None,
+    stock: Stock = EVERYWHERE,
 ) -> Gaps:
     """Return what of the stock no earlier piece has cleared down to the height of the cutter.
 
@@ -220,15 +218,12 @@ def uncleared(
         Cutter radius [mm].
     half : float
         ``pi / 2`` for the leading half of the rim, ``pi`` for all of it.
-    stock : shapely.Polygon, optional
-        Where it stands before the first move [mm]; by default everywhere.
+    stock : Stock, optional
     """
     hoods = neighborhoods(samples, pieces, r)
     gaps = Gaps.joined([_uncleared_here(hood, samples, r, half) for hood in hoods])
-    if stock is None:
-        return gaps
-    in_air = intervals_in_air(samples.points[:, :2], samples.headings, stock, r)
-    return gaps.without(*in_air, half)
+    in_air = stock.in_air(samples.points, samples.headings, r)
+    return gaps.without(*in_air, half) if len(in_air[0]) else gaps
 
 
 def _uncleared_here(hood: Neighbors, samples: Samples, r: float, half: float) -> Gaps:

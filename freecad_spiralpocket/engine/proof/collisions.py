@@ -14,12 +14,11 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from ..contact.air import are_in_stock
+from ..contact.air import EVERYWHERE, Stock, are_in_stock
 from ..contact.distances import point_to_piece
 from ..contact.engagement import Engagement
 from ..contact.swept import SAME_HEIGHT, Pieces
 from ..model import Floats
-from ..shapes.shaping import Region
 
 #: Rings of the disc, over the radius less the slack, and points on each.
 RINGS, RING_POINTS = (1.0, 0.75, 0.5, 0.25, 0.0), 72
@@ -69,7 +68,7 @@ def plunges(
     chosen: NDArray[np.bool_],
     cutter_radius: float,
     slack: float,
-    stock: Region | None = None,
+    stock: Stock = EVERYWHERE,
 ) -> Hit:
     """Return how far the chosen pieces go straight down into stock.
 
@@ -79,8 +78,7 @@ def plunges(
     chosen : ndarray of bool
     cutter_radius, slack : float
         What stands within `slack` of the cutter's edge does not count [mm].
-    stock : shapely.Polygon, optional
-        Where it stands before the first move; by default everywhere.
+    stock : Stock, optional
     """
     down = np.flatnonzero(
         chosen & (pieces.lengths == 0) & (pieces.bottoms[:, 1] < pieces.bottoms[:, 0])
@@ -93,7 +91,7 @@ def plunges(
     length, place, moves = 0.0, None, set()
     for i in down:
         end, floor = pieces.ends[i], pieces.bottoms[i, 1]
-        standing = disc[are_in_stock(disc + end, stock)] + end
+        standing = disc[are_in_stock(disc + end, stock.at(floor))] + end
         low, high = end - 2 * cutter_radius, end + 2 * cutter_radius
         near = np.sort(fed[tree.query(shapely.box(*low, *high))])
         before = near[(near < i) & (pieces.heights[near] <= floor + SAME_HEIGHT)]

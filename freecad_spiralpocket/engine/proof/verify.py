@@ -19,9 +19,10 @@ import numpy as np
 import shapely
 from shapely import MultiPolygon, Polygon
 
+from ..contact.air import Stock
 from ..contact.engagement import Engagement, engagement_of
 from ..contact.swept import SAME_HEIGHT, Pieces, cut_into_pieces
-from ..levels import Level, levels_of
+from ..levels import Level, at_level, levels_of
 from ..machine import machine_of
 from ..model import PocketRequest, Report
 from ..motion.timing import time_of
@@ -76,7 +77,7 @@ def prove(
     gouge, place = _gouge(levels, pieces, r + request.cutting.stock_to_leave)
     step = largest_step(levels, TOLD_STEP)
     too_deep, deepest = _too_deep(toolpath, request.floor)
-    rapid, link = _hits(request, toolpath, engagement, pieces)
+    rapid, link = _hits(request, toolpath, engagement, pieces, Stock.at_levels(levels))
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
     return Report(
         time=time_of(toolpath, machine_of(request)).total,
@@ -136,7 +137,8 @@ def _uncut(request: PocketRequest, levels: Sequence[Level], pieces: Pieces) -> M
     r, left = request.cutter_radius, []
     for pocket, members in _alike(levels):
         bottom = levels[members[-1]].bottom
-        reach = request.to_clear(reachable_floor(pocket, r, request.cutting.stock_to_leave))
+        reach = reachable_floor(pocket, r, request.cutting.stock_to_leave)
+        reach = at_level(request, levels[members[-1]]).to_clear(reach)
         here = pieces.select(pieces.heights >= bottom - SAME_HEIGHT)
         standing = uncut_floor(reach, here, bottom, r, request.tolerance)
         if not standing.is_empty and len(here) < len(pieces):
@@ -158,13 +160,18 @@ def _too_deep(toolpath: Toolpath, floor: float) -> tuple[float, tuple[float, flo
 
 
 def _alike(levels: Sequence[Level]) -> list[tuple[Polygon, list[int]]]:
-    """Return the different outlines, and the numbers of the levels that have each."""
-    outlines: list[tuple[Polygon, list[int]]] = []
+    """Return outlines, and the numbers of the levels one after the other that have each.
+
+    And the same stock.
+    """
+    found: list[tuple[Polygon, list[int]]] = []
+    above: Level | None = None
     for number, level in enumerate(levels):
-        if not (outlines and outlines[-1][0] == level.pocket):
-            outlines.append((level.pocket, []))
-        outlines[-1][1].append(number)
-    return outlines
+        if above is None or above.pocket != level.pocket or above.stock is not level.stock:
+            found.append((level.pocket, []))
+        found[-1][1].append(number)
+        above = level
+    return found
 
 
 def _hits(
@@ -172,6 +179,7 @@ def _hits(
     toolpath: Toolpath,
     engagement: Engagement,
     pieces: Pieces,
+    stock: Stock,
 ) -> tuple[Hit, Hit]:
     """Return how far rapids run through stock, and links, with all that is fed straight down."""
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
@@ -180,7 +188,7 @@ def _hits(
     found = []
     for along, down in ((~fed, pieces.rapid), (links, ~pieces.rapid)):
         hits = hits_along(engagement, along, slack)
-        into = plunges(pieces, down, request.cutter_radius, slack, request.stock)
+        into = plunges(pieces, down, request.cutter_radius, slack, stock)
         length, moves = hits.length + into.length, hits.moves | into.moves
         found.append(Hit(length, hits.place or into.place, moves))
     return found[0], found[1]
