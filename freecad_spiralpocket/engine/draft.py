@@ -19,8 +19,10 @@ from .checks import check_request
 from .floor import Plunge
 from .growth.front_rules import FrontRules, engagement_step, rules_of
 from .growth.fronts import ROOM, STALLED
+from .levels import Level, at_level, levels_of
 from .mirroring import mirrored, mirrored_request
 from .model import CutMode, Floats, PocketRequest
+from .opening.leftovers import is_left
 from .opening.open_sides import needed, starts_of
 from .opening.outline import outline_of
 from .opening.promising import promising
@@ -73,7 +75,7 @@ class Draft:
     laps : tuple of ndarray of shape (n, 2)
         From the inside outwards [mm].
     z : float
-        Of the floor [mm].
+        Of the floor, or of the lowest level in which earlier operations have left something [mm].
     """
 
     entries: tuple[Floats, ...]
@@ -91,6 +93,7 @@ def openings(request: PocketRequest) -> list[Opening]:
     """
     check_request(request)
     found = []
+    request = at_level(request, _drawn(request))
     regions = _regions(request)
     if request.cutting.cut_mode is CutMode.CONVENTIONAL:
         request = mirrored_request(request)
@@ -113,6 +116,7 @@ def reopened(opened: list[Opening], request: PocketRequest) -> list[Opening] | N
     None where the pocket has other regions now, or one of them cannot be opened like that.
     """
     check_request(request)
+    request = at_level(request, _drawn(request))
     regions = _regions(request)
     if len(regions) != len(opened):
         return None
@@ -139,6 +143,19 @@ def _moved(opening: Opening, region: Polygon, request: PocketRequest) -> Opening
     if not isinstance(visited, Polygon) or visited.is_empty:
         return None
     return Opening(kind, oriented(visited), region, region, opening.ring)
+
+
+def _drawn(request: PocketRequest) -> Level:
+    """Return the level of a pocket whose laps are drawn."""
+    levels = levels_of(request)
+    for level in reversed(levels):
+        if level.stock is request.stock:
+            return level
+        radius, left = request.cutter_radius, request.cutting.stock_to_leave
+        regions = center_regions(level.pocket, radius, left)
+        if any(is_left(region, at_level(request, level)) for region in regions):
+            return level
+    return levels[-1]
 
 
 def _regions(request: PocketRequest) -> list[Polygon]:
@@ -169,7 +186,7 @@ def draft(request: PocketRequest, opened: list[Opening] | None = None) -> Draft:
     entries = [opening.ring for opening in opened]
     if request.cutting.cut_mode is CutMode.CONVENTIONAL:
         laps, entries = [p * (-1, 1) for p in laps], [p * (-1, 1) for p in entries]
-    return Draft(tuple(entries), tuple(laps), request.floor)
+    return Draft(tuple(entries), tuple(laps), _drawn(request).bottom)
 
 
 def _laps(opening: Opening, rules: FrontRules) -> list[Floats]:

@@ -15,6 +15,7 @@ from shapes import rounded
 from freecad_spiralpocket.engine import copies, plan
 from freecad_spiralpocket.engine.contact.air import Stock
 from freecad_spiralpocket.engine.contact.engagement import along_path, engagement_of
+from freecad_spiralpocket.engine.draft import draft
 from freecad_spiralpocket.engine.errors import AlreadyClearedError, GeometryError
 from freecad_spiralpocket.engine.levels import at_level, levels_of
 from freecad_spiralpocket.engine.mirroring import mirrored_request
@@ -196,6 +197,20 @@ def test_copies_have_the_same_rest_at_every_level(off):
         asked, pocket=moved[-1].pocket, stock=translate(asked.stock, 90.0), sections=tuple(moved)
     )
     assert (copies.displacement(asked, other) is not None) == (off == 0.0)
+
+
+@pytest.mark.parametrize("mode", CutMode)
+def test_a_draft_is_of_the_lowest_level_with_a_rest(mode):
+    cleared = zip(POCKETS, CLEARED["nothing between"], strict=True)
+    asked = levels_request([stock_of(*each) for each in cleared])
+    asked = replace(asked, cutting=replace(asked.cutting, cut_mode=mode))
+    assert draft(asked).z == -6.0
+    floor = replace(asked.sections[-1], stock=stock_of(POCKETS[-1], POCKETS[-1]))
+    above = replace(asked, sections=(*asked.sections[:-1], floor))
+    laps = draft(above)
+    assert laps.z == -2.0 and laps.laps
+    wide = POCKETS[0].buffer(-R + 0.1)
+    assert all(wide.covers(shapely.LineString(lap)) for lap in laps.laps)
 
 
 def test_broken_stock_of_a_level_is_refused():

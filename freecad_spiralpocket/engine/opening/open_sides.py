@@ -73,7 +73,7 @@ def needed_for(ground: Region, wanted: Region, region: Polygon, radius: float) -
     """
     for share in OVERHANGS:
         part = shapely.intersection(region, grow_coarsely(ground, share * radius))
-        if part.is_empty:
+        if not part.area:  # nothing, or a line where the two touch
             continue
         inner = largest(part)
         left = shapely.difference(wanted, grow(inner, radius))
