@@ -21,6 +21,8 @@ from .tools import BULL_NOSES, ROUND_TOOLS
 
 #: A smaller share of a pocket that was cleared before is none.
 LEAST_SHARE = 0.001
+#: Of a larger share no percentage is told: it would read as if nothing were left.
+MOST_SHARE = 0.99
 #: A smaller part of the floor under leaning walls is not told [mm2], nor a thinner one [mm].
 TOLD_OVERHANG, FILM = 0.5, 0.05
 #: A smaller ledge is not told [mm2].
@@ -295,6 +297,10 @@ def rest(share: float) -> Notice:
             "No earlier operation has cleared any of this pocket down to its floor; all is cut.",
             "Move this operation behind the one with the larger end mill, or unset "
             "UseRestMachining. Only flat end mills count: round ones leave ridges.",
+        )
+    if share > MOST_SHARE:
+        return Notice(
+            "Earlier operations have cleared more than 99 % of this pocket; the rest is cut."
         )
     return Notice(
         f"Earlier operations have cleared {int(100 * share)} % of this pocket; the rest is cut."

@@ -719,6 +719,10 @@
         <translation>Bei {at} fährt ein Weg ({0}) durch stehendes Material, zusammen {1} mm.</translation>
     </message>
     <message>
+        <source>Above Z{0} also {1} mm2 beside the selected floor are cleared, down to ledges.</source>
+        <translation>Über Z{0} werden auch {1} mm2 neben dem gewählten Boden geräumt, bis auf Absätze hinab.</translation>
+    </message>
+    <message>
         <source>Add it; vmc.json shows how.</source>
         <translation>Ergänzen; vmc.json zeigt, wie.</translation>
     </message>
@@ -837,6 +841,10 @@
     <message>
         <source>Drag it into the job's operations.</source>
         <translation>In die Operationen des Auftrags ziehen.</translation>
+    </message>
+    <message>
+        <source>Earlier operations have cleared more than 99 % of this pocket; the rest is cut.</source>
+        <translation>Frühere Operationen haben mehr als 99 % dieser Tasche geräumt; der Rest wird gefräst.</translation>
     </message>
     <message>
         <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
@@ -1517,6 +1525,10 @@
     <message>
         <source>Walls that are not vertical keep steps up to {0} mm wide and {1} mm high, the widest at {at}.</source>
         <translation>An nicht senkrechten Wänden bleiben Stufen bis {0} mm Breite und {1} mm Höhe, die breiteste bei {at}.</translation>
+    </message>
+    <message>
+        <source>Where that is done already, lower StartDepth or set UseRestMachining.</source>
+        <translation>Wo das schon geschehen ist, senke StartDepth oder setze UseRestMachining.</translation>
     </message>
     <message>
         <source>With a slot bite of {0} mm a slot has more than {1} levels.</source>

@@ -719,6 +719,10 @@
         <translation>Un movimiento ({0}) atraviesa material en {at}, {1} mm en total.</translation>
     </message>
     <message>
+        <source>Above Z{0} also {1} mm2 beside the selected floor are cleared, down to ledges.</source>
+        <translation>Por encima de Z{0} también se vacían {1} mm2 junto al fondo seleccionado, hasta los escalones.</translation>
+    </message>
+    <message>
         <source>Add it; vmc.json shows how.</source>
         <translation>Añádalo; vmc.json muestra cómo.</translation>
     </message>
@@ -837,6 +841,10 @@
     <message>
         <source>Drag it into the job's operations.</source>
         <translation>Arrástrela a las operaciones del trabajo.</translation>
+    </message>
+    <message>
+        <source>Earlier operations have cleared more than 99 % of this pocket; the rest is cut.</source>
+        <translation>Operaciones anteriores han vaciado más del 99 % de esta cajera; se corta el resto.</translation>
     </message>
     <message>
         <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
@@ -1517,6 +1525,10 @@
     <message>
         <source>Walls that are not vertical keep steps up to {0} mm wide and {1} mm high, the widest at {at}.</source>
         <translation>Las paredes no verticales conservan escalones de hasta {0} mm de ancho y {1} mm de alto, el más ancho en {at}.</translation>
+    </message>
+    <message>
+        <source>Where that is done already, lower StartDepth or set UseRestMachining.</source>
+        <translation>Donde eso ya esté hecho, baje StartDepth o active UseRestMachining.</translation>
     </message>
     <message>
         <source>With a slot bite of {0} mm a slot has more than {1} levels.</source>

@@ -719,6 +719,10 @@
         <translation>Un trajet ({0}) traverse de la matière en {at}, {1} mm en tout.</translation>
     </message>
     <message>
+        <source>Above Z{0} also {1} mm2 beside the selected floor are cleared, down to ledges.</source>
+        <translation>Au-dessus de Z{0}, {1} mm2 à côté du fond sélectionné sont aussi vidés, jusqu'aux épaulements.</translation>
+    </message>
+    <message>
         <source>Add it; vmc.json shows how.</source>
         <translation>Ajoutez-le ; vmc.json montre comment.</translation>
     </message>
@@ -837,6 +841,10 @@
     <message>
         <source>Drag it into the job's operations.</source>
         <translation>Faites-la glisser dans les opérations de la tâche.</translation>
+    </message>
+    <message>
+        <source>Earlier operations have cleared more than 99 % of this pocket; the rest is cut.</source>
+        <translation>Les opérations précédentes ont vidé plus de 99 % de cette poche ; le reste est usiné.</translation>
     </message>
     <message>
         <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
@@ -1517,6 +1525,10 @@
     <message>
         <source>Walls that are not vertical keep steps up to {0} mm wide and {1} mm high, the widest at {at}.</source>
         <translation>Les parois non verticales gardent des marches jusqu'à {0} mm de large et {1} mm de haut, la plus large en {at}.</translation>
+    </message>
+    <message>
+        <source>Where that is done already, lower StartDepth or set UseRestMachining.</source>
+        <translation>Là où c'est déjà fait, abaissez StartDepth ou activez UseRestMachining.</translation>
     </message>
     <message>
         <source>With a slot bite of {0} mm a slot has more than {1} levels.</source>

@@ -719,6 +719,10 @@
         <translation>在 {at} 处{0}移动穿过残余材料，共 {1} mm。</translation>
     </message>
     <message>
+        <source>Above Z{0} also {1} mm2 beside the selected floor are cleared, down to ledges.</source>
+        <translation>在 Z{0} 以上,所选底面旁边还有 {1} mm2 会被清除,直至台阶面。</translation>
+    </message>
+    <message>
         <source>Add it; vmc.json shows how.</source>
         <translation>请补上；参见 vmc.json。</translation>
     </message>
@@ -837,6 +841,10 @@
     <message>
         <source>Drag it into the job's operations.</source>
         <translation>请将其拖入作业的工序中。</translation>
+    </message>
+    <message>
+        <source>Earlier operations have cleared more than 99 % of this pocket; the rest is cut.</source>
+        <translation>先前的操作已清除该型腔的 99 % 以上；其余部分将被加工。</translation>
     </message>
     <message>
         <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
@@ -1517,6 +1525,10 @@
     <message>
         <source>Walls that are not vertical keep steps up to {0} mm wide and {1} mm high, the widest at {at}.</source>
         <translation>非垂直侧壁留有最宽 {0} mm、最高 {1} mm 的台阶，最宽处在 {at}。</translation>
+    </message>
+    <message>
+        <source>Where that is done already, lower StartDepth or set UseRestMachining.</source>
+        <translation>如果那里已经加工过,请降低 StartDepth 或启用 UseRestMachining。</translation>
     </message>
     <message>
         <source>With a slot bite of {0} mm a slot has more than {1} levels.</source>

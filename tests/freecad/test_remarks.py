@@ -103,4 +103,5 @@ def test_a_tool_that_is_shorter_than_the_pocket_is_deep_is_told(job):
 
 
 def test_a_rest_is_not_told_as_nothing():
-    assert "cleared 99 % of" in remarks.rest(0.9974).message
+    assert "cleared more than 99 % of" in remarks.rest(0.9999).message
+    assert "cleared 98 % of" in remarks.rest(0.9874).message
