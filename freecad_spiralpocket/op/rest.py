@@ -2,9 +2,9 @@
 """Rest machining: what earlier operations of the job have left standing in a pocket.
 
 Their paths are read as they are, whichever operation made them: what a flat cutter has swept at the
-depth of the pocket's floor, or deeper, is gone; where walls are not upright, at the depth of every
-level. As in FreeCAD's own pockets these are the operations that stand before this one in the job
-and are active.
+depth of the pocket's floor, or deeper, is gone; where walls are not upright, of each level what was
+swept at its own depth or deeper. As in FreeCAD's own pockets these are the operations that stand
+before this one in the job and are active.
 """
 
 from __future__ import annotations
@@ -12,16 +12,20 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
+import numpy as np
 import shapely
 from shapely import MultiPolygon, Polygon
 
 from ..engine.contact.swept import Pieces, cut_into_pieces
 from ..engine.errors import RequestError
+from ..engine.levels import at_level, levels_of
 from ..engine.model import PocketRequest
 from ..engine.proof.coverage import reachable_floor, uncut_floor
 from ..engine.shapes.region import polygons_of
+from ..engine.toolpath import Toolpath
 from ..gcode import parse_program
 from .compat import operation_property, tool_shape
 from .known import Known
@@ -38,6 +42,8 @@ MORE = 0.005
 AROUND = 10.0
 #: Where no feed is given any will do here [mm/s].
 ANY_FEED = 1.0
+#: So many paths are not read anew.
+KEPT = 4
 #: Words of a path that turns the part.
 _TURNS = re.compile(r"\b[ABC]\s*[-+.\d]")
 
@@ -60,27 +66,45 @@ def rest_of(wanted: PocketRequest, obj: Any, known: Known) -> PocketRequest:
     if all(rest is pocket for rest, (pocket, _) in zip(rests, floors, strict=True)):
         return wanted
     rests = [shapely.buffer(shapely.buffer(rest, -SKIN), SKIN + MORE) for rest in rests]
-    if wanted.sections:
-        # corners that stay at one level are nothing to cut at another
-        radius, left = wanted.cutter_radius, wanted.cutting.stock_to_leave
-        within = [reachable_floor(pocket, radius, left) for pocket, _ in floors]
-        rests = [shapely.intersection(rest, w) for rest, w in zip(rests, within, strict=True)]
-    rest = shapely.union_all(rests)  # where at some level something stands
-    cleared = shapely.difference(floors[0][0], rest)
-    around = wanted.stock
-    if around is None:
-        reach = AROUND * wanted.tool_diameter
-        # walls that lean outwards are far beyond the floor
-        widest = [s.pocket if s.mouth is None else s.mouth for s in wanted.sections]
-        bounds = shapely.total_bounds([wanted.pocket, *widest])
-        around = shapely.buffer(shapely.box(*bounds), reach, join_style="mitre")
+    around = _around(wanted)
+    stocks = [
+        _without(around, shapely.difference(pocket, rest))
+        for rest, (pocket, _) in zip(rests, floors, strict=True)
+    ]
+    if not wanted.sections:
+        return replace(wanted, stock=stocks[0])
+    # corners that stay at one level are nothing to cut at another
+    radius, left = wanted.cutter_radius, wanted.cutting.stock_to_leave
+    within = [reachable_floor(pocket, radius, left) for pocket, _ in floors]
+    rests = [shapely.intersection(rest, w) for rest, w in zip(rests, within, strict=True)]
+    cleared = shapely.difference(floors[0][0], shapely.union_all(rests))
+    levels = zip(wanted.sections, stocks, strict=True)
+    return replace(
+        wanted,
+        stock=_without(around, cleared),
+        sections=tuple(replace(section, stock=stock) for section, stock in levels),
+    )
+
+
+def _around(wanted: PocketRequest) -> Polygon | MultiPolygon:
+    """Return where stock stands before any operation of the job."""
+    if wanted.stock is not None:
+        return wanted.stock
+    reach = AROUND * wanted.tool_diameter
+    # walls that lean outwards are far beyond the floor
+    widest = [s.pocket if s.mouth is None else s.mouth for s in wanted.sections]
+    bounds = shapely.total_bounds([wanted.pocket, *widest])
+    return shapely.buffer(shapely.box(*bounds), reach, join_style="mitre")
+
+
+def _without(around: shapely.Geometry, cleared: shapely.Geometry) -> Polygon | MultiPolygon:
     parts = polygons_of(shapely.difference(around, cleared))
-    return replace(wanted, stock=parts[0] if len(parts) == 1 else MultiPolygon(parts))
+    return parts[0] if len(parts) == 1 else MultiPolygon(parts)
 
 
 def _standing(
     floor: tuple[Polygon, float],
-    cutters: Sequence[tuple[Any, float]],
+    cutters: Sequence[tuple[str, float]],
     wanted: PocketRequest,
     known: Known,
 ) -> shapely.Geometry:
@@ -97,8 +121,7 @@ def _standing(
     """
     pocket, z = floor
     rest: shapely.Geometry = pocket
-    for operation, diameter in cutters:
-        program = operation.Path.toGCode()
+    for program, diameter in cutters:
         key = (program, diameter, rest.wkb, z, wanted.axial_depth)
         if key not in known.rests:
             pieces = _pieces(program, diameter / 2, z, wanted.axial_depth)
@@ -110,13 +133,19 @@ def _standing(
 
 
 def share_cleared(request: PocketRequest) -> float:
-    """Return which share of a pocket was cleared before, in [0, 1]."""
-    return 1 - float(request.to_clear(request.pocket).area) / _inside(request).area
+    """Return which share of a pocket's volume was cleared before, in [0, 1]."""
+    if not request.sections:  # all levels are cut by what stands at the floor
+        left, whole = request.to_clear(request.pocket).area, _inside(request.pocket, request).area
+        return 1 - float(left / whole)
+    levels = levels_of(request)
+    heights = [level.top - level.bottom for level in levels]
+    whole = [_inside(level.pocket, request).area for level in levels]
+    left = [at_level(request, level).to_clear(level.pocket).area for level in levels]
+    return 1 - float(np.dot(heights, left) / np.dot(heights, whole))
 
 
-def _inside(request: PocketRequest) -> Polygon:
+def _inside(pocket: Polygon, request: PocketRequest) -> shapely.Geometry:
     """Return the ground of a pocket within its own edge."""
-    pocket = request.pocket
     return pocket if request.beyond is None else pocket.difference(request.beyond)
 
 
@@ -128,23 +157,29 @@ def operations_before(obj: Any) -> Iterator[Any]:
             yield operation
 
 
-def _cutters_before(obj: Any) -> Iterator[tuple[Any, float]]:
-    """Yield the operations before this one that clear floors, and their cutters' diameters [mm]."""
+def _cutters_before(obj: Any) -> Iterator[tuple[str, float]]:
+    """Yield the programs before this one that may clear floors, and their cutters' widths [mm]."""
     for operation in operations_before(obj):
         controller = operation_property(operation, "ToolController")
         if controller is None:
             continue
         tool = controller.Proxy.getTool(controller)
         if tool and tool_shape(tool) in FLAT_TOOLS:
-            yield operation, float(tool.Diameter)
+            yield operation.Path.toGCode(), float(tool.Diameter)
 
 
 def _pieces(program: str, radius: float, floor: float, depth: float) -> Pieces | None:
     """Return the motion of a path near the floor; None if it is none that clears a floor."""
+    path = _path(program)
+    return None if path is None else cut_into_pieces(path, radius, floor + 2 * SHALLOW, depth)
+
+
+@lru_cache(maxsize=KEPT)
+def _path(program: str) -> Toolpath | None:
+    """Return a path that may clear floors, None if it cannot; every level asks for it again."""
     if _TURNS.search(re.sub(r"\([^)]*\)", "", program)):
         return None
     try:
-        path = parse_program(program, feed=ANY_FEED)
+        return parse_program(program, feed=ANY_FEED)
     except RequestError:  # a path of holes, or none at all
         return None
-    return cut_into_pieces(path, radius, floor + 2 * SHALLOW, depth)
