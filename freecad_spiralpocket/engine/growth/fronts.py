@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import shapely
@@ -44,6 +45,7 @@ from ..shapes.shaping import (
 from .closings import without_kinks
 from .front_rules import NEW, FrontRules, engagement_step
 from .lap_width import IDLE, STRETCH, best_width, ribs_in, widened
+from .locally import grown_locally
 from .walls import are_near_walls
 
 #: The step keeps to the sharpest bend within so far to both sides, and then evens out over so
@@ -83,6 +85,8 @@ AT_WALL = 0.4
 #: What is left is no corner but a room beyond a neck if it holds a disc of this radius, over the
 #: fillet's: a corner of 30 degrees just holds that.
 ROOM = 0.6
+#: Around a room the front matters so far, over R: by what it is smoothed over, and some more.
+AROUND = 6.0
 #: Fillets, over the rules', with which fronts go where these do not fit.
 NECK_FILLETS = (0.5, 0.25, 0.1)
 #: Most steps of one growth: a pocket 2000 steps wide is not cut with this cutter.
@@ -235,12 +239,24 @@ def fronts_from(
     yield from known
     front = known[-1]
     wanted = best_width(front, omega, rules)
+
+    def step(visited: Polygon, within: Polygon) -> Polygon:
+        return _without_scraps(_stretched(visited, within, rules, wanted), visited, within, rules)
+
+    is_beyond_neck = False
     while True:
-        grown = _without_scraps(_stretched(front, omega, rules, wanted), front, omega, rules)
+        if is_beyond_neck:
+            grown = grown_locally(
+                step, front, omega, rooms_left(front, omega, rules), _around(rules)
+            )
+        else:
+            grown = step(front, omega)
         if _has_stalled(grown, front, rules):
-            grown = _through_neck(front, omega, rules)
-            if grown is None:
+            is_beyond_neck = True
+            through = _through_necks(front, omega, rules)
+            if through is None:
                 return
+            grown = through
         touched = [ground for ground in idle if ground.intersects(grown)]
         if touched:
             grown = largest(welded([grown, *touched]))
@@ -311,22 +327,33 @@ def advance_narrowly(visited: Polygon, omega: Polygon, rules: FrontRules, share:
 
 def leads_on(visited: Polygon, omega: Polygon, rules: FrontRules) -> bool:
     """Return whether there is a room ahead into which an ordinary front goes on."""
-    if not _has_room(shapely.difference(omega, visited), rules):
+    rooms = rooms_left(visited, omega, rules)
+    if not rooms:
         return False
-    return not _has_stalled(advance(visited, omega, rules), visited, rules)
+    step = partial(advance, rules=rules)
+    grown = grown_locally(step, visited, omega, rooms, _around(rules))
+    return not _has_stalled(grown, visited, rules)
 
 
-def _has_room(rest: Region, rules: FrontRules) -> bool:
-    """Return whether what is left is more than corners."""
-    return not shapely.buffer(rest, -ROOM * rules.fillet).is_empty
+def rooms_left(visited: Polygon, omega: Polygon, rules: FrontRules) -> list[Polygon]:
+    """Return the pieces of what is left that are more than corners."""
+    rest = polygons_of(shapely.difference(omega, visited))
+    return [p for p in rest if not shapely.buffer(p, -ROOM * rules.fillet).is_empty]
 
 
-def _through_neck(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon | None:
-    """Return the next front where only a neck too narrow for the fillet leads on, or None."""
-    if not _has_room(shapely.difference(omega, visited), rules):
+def _around(rules: FrontRules) -> float:
+    """Return how far around a room the front matters for its steps [mm]."""
+    return AROUND * rules.cutter_radius
+
+
+def _through_necks(visited: Polygon, omega: Polygon, rules: FrontRules) -> Polygon | None:
+    """Return the next front where only necks too narrow for the fillet lead on, or None."""
+    rooms = rooms_left(visited, omega, rules)
+    if not rooms:
         return None
     for share in NECK_FILLETS:
-        grown = advance_narrowly(visited, omega, rules, share)
+        step = partial(advance_narrowly, rules=rules, share=share)
+        grown = grown_locally(step, visited, omega, rooms, _around(rules))
         if not _has_stalled(grown, visited, rules):
             return grown
     return None
