@@ -164,8 +164,8 @@
         <translation>Ungeschnitten in Reichweite</translation>
     </message>
     <message>
-        <source>the fastest that keeps the limit of engagement and leaves nothing uncut</source>
-        <translation>die schnellste, die die Eingriffsgrenze hält und nichts stehen lässt</translation>
+        <source>the fastest that keeps the limit of engagement on 99 % of the way and leaves nothing uncut</source>
+        <translation>die schnellste, die die Eingriffsgrenze auf 99 % des Weges hält und nichts stehen lässt</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
@@ -196,8 +196,8 @@
         <translation>Keine Tasche: Die erste Zeile des Panels sagt, warum.</translation>
     </message>
     <message>
-        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest without red.</source>
-        <translation>Mit demselben Fräser, gleicher seitlicher Zustellung und gleichen Vorschüben auf {}. Grenze des Eingriffs {:.0f}°; was sie deutlich überschreitet oder stehen bleibt, ist rot. ★ die schnellste ohne Rot.</translation>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest that keeps it on 99 % of the way and leaves nothing uncut.</source>
+        <translation>Mit demselben Fräser, gleicher seitlicher Zustellung und gleichen Vorschüben auf {}. Grenze des Eingriffs {:.0f}°; was sie deutlich überschreitet oder stehen bleibt, ist rot. ★ die schnellste, die sie auf 99 % des Weges einhält und nichts stehen lässt.</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>

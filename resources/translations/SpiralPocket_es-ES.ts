@@ -164,8 +164,8 @@
         <translation>Sin cortar al alcance</translation>
     </message>
     <message>
-        <source>the fastest that keeps the limit of engagement and leaves nothing uncut</source>
-        <translation>la más rápida que respeta el límite de contacto y no deja nada sin cortar</translation>
+        <source>the fastest that keeps the limit of engagement on 99 % of the way and leaves nothing uncut</source>
+        <translation>la más rápida que respeta el límite de contacto en el 99 % del recorrido y no deja nada sin cortar</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
@@ -196,8 +196,8 @@
         <translation>No hay cajera: la primera línea del panel dice por qué.</translation>
     </message>
     <message>
-        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest without red.</source>
-        <translation>Con la misma fresa, el mismo paso y los mismos avances en {}. Límite de contacto {:.0f}°; lo que lo supera claramente o queda sin cortar está en rojo. ★ la más rápida sin rojo.</translation>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest that keeps it on 99 % of the way and leaves nothing uncut.</source>
+        <translation>Con la misma fresa, el mismo paso y los mismos avances en {}. Límite de contacto {:.0f}°; lo que lo supera claramente, o queda sin cortar, está en rojo. ★ la más rápida que lo respeta en el 99 % del recorrido y no deja nada sin cortar.</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>

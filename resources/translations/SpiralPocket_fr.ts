@@ -164,8 +164,8 @@
         <translation>Non usiné à portée</translation>
     </message>
     <message>
-        <source>the fastest that keeps the limit of engagement and leaves nothing uncut</source>
-        <translation>la plus rapide qui tient la limite d'engagement et ne laisse rien</translation>
+        <source>the fastest that keeps the limit of engagement on 99 % of the way and leaves nothing uncut</source>
+        <translation>la plus rapide qui tient la limite d'engagement sur 99 % du trajet et ne laisse rien</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
@@ -196,8 +196,8 @@
         <translation>Pas de poche : la première ligne du panneau dit pourquoi.</translation>
     </message>
     <message>
-        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest without red.</source>
-        <translation>Avec la même fraise, le même pas et les mêmes avances sur {}. Limite d'engagement {:.0f}° ; ce qui la dépasse nettement ou reste non usiné est en rouge. ★ la plus rapide sans rouge.</translation>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest that keeps it on 99 % of the way and leaves nothing uncut.</source>
+        <translation>Avec la même fraise, le même pas et les mêmes avances sur {}. Limite d'engagement {:.0f}° ; ce qui la dépasse nettement, ou reste, est en rouge. ★ la plus rapide qui la respecte sur 99 % du trajet et ne laisse rien.</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>

@@ -164,8 +164,8 @@
         <translation>可及范围内未切削</translation>
     </message>
     <message>
-        <source>the fastest that keeps the limit of engagement and leaves nothing uncut</source>
-        <translation>保持啮合上限且无残留的最快策略</translation>
+        <source>the fastest that keeps the limit of engagement on 99 % of the way and leaves nothing uncut</source>
+        <translation>在 99 % 的路程上保持啮合上限且不留残料的最快策略</translation>
     </message>
     <message>
         <source>An error, see the Report view.</source>
@@ -196,8 +196,8 @@
         <translation>没有型腔：面板第一行说明了原因。</translation>
     </message>
     <message>
-        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest without red.</source>
-        <translation>相同的刀具、步距和进给，机床为 {}。啮合角上限 {:.0f}°；明显超过者或未切除者以红色显示。★ 没有红色的最快策略。</translation>
+        <source>With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; what clearly passes it, or stays uncut, is red. ★ the fastest that keeps it on 99 % of the way and leaves nothing uncut.</source>
+        <translation>相同的刀具、步距和进给，机床为 {}。啮合角上限 {:.0f}°；明显超过者或未切除者以红色显示。★ 在 99 % 的路程上遵守上限且不留残料的最快策略。</translation>
     </message>
     <message>
         <source>Create Spiral Pocket</source>

@@ -83,7 +83,8 @@ class Card:
         self._title.setToolTip(
             translate(
                 "SpiralPocket",
-                "the fastest that keeps the limit of engagement and leaves nothing uncut",
+                "the fastest that keeps the limit of engagement on 99 % of the way and leaves "
+                "nothing uncut",
             )
             if fastest
             else ""
@@ -118,7 +119,7 @@ class Card:
         self.text.setText(_figures(outcome))
         report = outcome.plan.report
         self.seconds = report.time
-        passes = _passes(report.engagement_max, report.engagement_limit)
+        passes = _passes(report.engagement_p99, report.engagement_limit)  # corners peak in all
         self.is_sound = not passes and not uncut_of([outcome.plan])
         self.button.setEnabled(self._choose is not None)
         self._changed()

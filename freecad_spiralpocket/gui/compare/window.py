@@ -104,7 +104,8 @@ class Comparison:
             translate(
                 "SpiralPocket",
                 "With the same cutter, step-over and feeds on {}. Limit of engagement {:.0f}°; "
-                "what clearly passes it, or stays uncut, is red. ★ the fastest without red.",
+                "what clearly passes it, or stays uncut, is red. ★ the fastest that keeps it on "
+                "99 % of the way and leaves nothing uncut.",
             ).format(machine, np.degrees(request.engagement_limit))
         )
         for at in range(self._strategies.count()):
