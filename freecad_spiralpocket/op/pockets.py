@@ -340,6 +340,8 @@ class Pockets:
         if floor is None or wanted is None:
             return []
         found = remarks.setup(wanted, floor.z, self._obj)
+        if floor.model.Name not in {m.Name for m in parent_job(self._obj).Model.Group}:
+            found.append(remarks.foreign(floor.model.Label))
         if floor.is_window and floor.z > floor.part.BoundBox.ZMin + SAME_HEIGHT:
             found.append(remarks.ends_higher(floor.z, floor.part.BoundBox.ZMin, wanted.floor))
         if floor.goes_on:

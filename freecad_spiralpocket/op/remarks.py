@@ -231,6 +231,14 @@ def open_sides(wanted: PocketRequest) -> Notice:
     )
 
 
+def foreign(part: str) -> Notice:
+    """Tell that a part is not in the job."""
+    return Notice(
+        f"{part} is not in the job's model.",
+        "Select a face of the job's model, or add that part to it.",
+    )
+
+
 def ends_higher(window: float, part: float, cut: float) -> Notice:
     """Tell that a window ends above the part's lowest place, and how deep is cut, all Z [mm]."""
     return Notice(

@@ -1055,6 +1055,10 @@
         <translation>Pfad wird nachgebessert</translation>
     </message>
     <message>
+        <source>Select a face of the job's model, or add that part to it.</source>
+        <translation>Eine Fläche des Modells wählen, oder das Teil zum Modell des Auftrags hinzufügen.</translation>
+    </message>
+    <message>
         <source>Select all faces that make the floor, or refine the part.</source>
         <translation>Alle Flächen wählen, die den Boden bilden, oder das Teil aufbereiten.</translation>
     </message>
@@ -1528,7 +1532,7 @@
     </message>
     <message>
         <source>Where that is done already, lower StartDepth or set UseRestMachining.</source>
-        <translation>Wo das schon geschehen ist, senke StartDepth oder setze UseRestMachining.</translation>
+        <translation>Wo das schon geschehen ist, StartDepth senken oder UseRestMachining setzen.</translation>
     </message>
     <message>
         <source>With a slot bite of {0} mm a slot has more than {1} levels.</source>
@@ -1585,6 +1589,10 @@
     <message>
         <source>{0} is not in a job.</source>
         <translation>{0} ist in keinem Auftrag.</translation>
+    </message>
+    <message>
+        <source>{0} is not in the job's model.</source>
+        <translation>{0} gehört nicht zum Modell des Auftrags.</translation>
     </message>
     <message>
         <source>{0} is not level.</source>

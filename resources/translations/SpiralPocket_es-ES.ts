@@ -1055,6 +1055,10 @@
         <translation>Reparando la trayectoria</translation>
     </message>
     <message>
+        <source>Select a face of the job's model, or add that part to it.</source>
+        <translation>Seleccione una cara del modelo del trabajo, o añada esa pieza a él.</translation>
+    </message>
+    <message>
         <source>Select all faces that make the floor, or refine the part.</source>
         <translation>Seleccione todas las caras que forman el fondo, o refine la pieza.</translation>
     </message>
@@ -1585,6 +1589,10 @@
     <message>
         <source>{0} is not in a job.</source>
         <translation>{0} no está en ningún trabajo.</translation>
+    </message>
+    <message>
+        <source>{0} is not in the job's model.</source>
+        <translation>{0} no está en el modelo del trabajo.</translation>
     </message>
     <message>
         <source>{0} is not level.</source>

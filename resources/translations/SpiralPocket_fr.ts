@@ -1055,6 +1055,10 @@
         <translation>Réparation du parcours</translation>
     </message>
     <message>
+        <source>Select a face of the job's model, or add that part to it.</source>
+        <translation>Sélectionnez une face du modèle de la tâche, ou ajoutez-y cette pièce.</translation>
+    </message>
+    <message>
         <source>Select all faces that make the floor, or refine the part.</source>
         <translation>Sélectionnez toutes les faces qui forment le fond, ou affinez la pièce.</translation>
     </message>
@@ -1585,6 +1589,10 @@
     <message>
         <source>{0} is not in a job.</source>
         <translation>{0} n'est dans aucune tâche.</translation>
+    </message>
+    <message>
+        <source>{0} is not in the job's model.</source>
+        <translation>{0} ne fait pas partie du modèle de la tâche.</translation>
     </message>
     <message>
         <source>{0} is not level.</source>

@@ -1055,6 +1055,10 @@
         <translation>修复刀路</translation>
     </message>
     <message>
+        <source>Select a face of the job's model, or add that part to it.</source>
+        <translation>请选择作业模型的面，或将该零件加入模型。</translation>
+    </message>
+    <message>
         <source>Select all faces that make the floor, or refine the part.</source>
         <translation>请选择构成底面的所有面，或精炼零件。</translation>
     </message>
@@ -1585,6 +1589,10 @@
     <message>
         <source>{0} is not in a job.</source>
         <translation>{0} 不在任何作业中。</translation>
+    </message>
+    <message>
+        <source>{0} is not in the job's model.</source>
+        <translation>{0} 不在作业的模型中。</translation>
     </message>
     <message>
         <source>{0} is not level.</source>

@@ -105,3 +105,12 @@ def test_a_tool_that_is_shorter_than_the_pocket_is_deep_is_told(job):
 def test_a_rest_is_not_told_as_nothing():
     assert "cleared more than 99 % of" in remarks.rest(0.9999).message
     assert "cleared 98 % of" in remarks.rest(0.9874).message
+
+
+def test_a_part_that_is_not_in_the_job_is_told(doc, job):
+    op = cut(job)
+    assert not told(op, "is not in the job's model")
+    other = add_part(doc, block(area(rectangle(24, 18, 4))), "Other")
+    op.Base = [(other, faces_at(other.Shape, -DEPTH))]
+    doc.recompute()
+    assert told(op, "Other is not in the job's model.") and op.Path.Commands
