@@ -245,16 +245,18 @@ def fronts_from(
 
     is_beyond_neck = False
     while True:
-        if is_beyond_neck:
-            grown = grown_locally(
-                step, front, omega, rooms_left(front, omega, rules), _around(rules)
-            )
+        # what is less than a room is left to steps of the whole front, in the end
+        rooms = rooms_left(front, omega, rules) if is_beyond_neck else []
+        if rooms:
+            grown = grown_locally(step, front, omega, rooms, _around(rules))
         else:
             grown = step(front, omega)
         if _has_stalled(grown, front, rules):
             is_beyond_neck = True
             through = _through_necks(front, omega, rules)
-            if through is None:
+            if through is None and rooms:
+                through = step(front, omega)
+            if through is None or _has_stalled(through, front, rules):
                 return
             grown = through
         touched = [ground for ground in idle if ground.intersects(grown)]
