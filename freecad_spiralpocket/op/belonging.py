@@ -69,12 +69,9 @@ class Belonging:
 
     def of(self, whole: Polygon) -> Polygon:
         """Return what belongs to the pocket at the next level of all that the walls go around."""
-        is_all = self._below is self._whole and self._beside.is_empty
-        if not (is_all and not self.may_have_more(whole)):
-            self._below = self.reached(whole)
-        else:
-            self._below = whole
-        self._whole = whole
+        was_all = self._below is self._whole and self._beside.is_empty
+        has_more = not was_all or self.may_have_more(whole)
+        self._below, self._whole = self.reached(whole) if has_more else whole, whole
         return self._below
 
     def reached(self, whole: Polygon) -> Polygon:
