@@ -148,7 +148,7 @@ class Pockets:
             if isinstance(outcome, SpiralPocketError):
                 self._failures.append((label, outcome))
             else:
-                self._take(each, outcome)
+                self._take(each, outcome, found)
 
     def _all_outcomes(
         self, whole: Sequence[PocketRequest], progress: Progress | None, planner: Planner
@@ -198,7 +198,7 @@ class Pockets:
     def foreseen_notices(self, found: Sequence[Found]) -> list[Notice]:
         """Return what is known of `requests()` before anything is planned."""
         wanted = [each.wanted for each in found if isinstance(each.wanted, PocketRequest)]
-        told = [notice for each in found for notice in self._remarks_on(each)]
+        told = [notice for each in found for notice in self._remarks_on(each, found)]
         return [*self._general_notices(wanted), *remarks.labelled(told, len(self._selected))]
 
     def _general_notices(self, wanted: Sequence[PocketRequest]) -> list[Notice]:
@@ -327,14 +327,14 @@ class Pockets:
         """
         return next((plan for plan in self._earlier if plan.request == wanted), None)
 
-    def _take(self, each: Found, plan: Plan) -> None:
+    def _take(self, each: Found, plan: Plan, found: Sequence[Found]) -> None:
         """Add the plan of one pocket, and what is to be told of it."""
         self.plans.append(plan)
-        self._notices += self._remarks_on(each)
+        self._notices += self._remarks_on(each, found)
         if each.floor is not None:
             self._notices += [(each.floor.label, notice) for notice in plan.report.notices]
 
-    def _remarks_on(self, each: Found) -> list[tuple[str, Notice]]:
+    def _remarks_on(self, each: Found, among: Sequence[Found]) -> list[tuple[str, Notice]]:
         """Return what is to be told of one pocket, with its label, whatever comes of its plan."""
         floor, _, kept_off, is_shared, wanted = each
         if floor is None or wanted is None:
@@ -355,7 +355,8 @@ class Pockets:
         if self._obj.UseRestMachining:
             found.append(remarks.rest(rest.share_cleared(wanted)))
         else:
-            found += remarks.ledges(wanted)
+            others = [o.whole.pocket for o in among if o.whole and o is not each]
+            found += remarks.ledges(wanted, others)
         return [(floor.label, notice) for notice in found]
 
 

@@ -41,9 +41,9 @@ def labelled(told: Sequence[tuple[str, Notice]], pockets: int) -> list[Notice]:
     pockets : int
         How many there are.
     """
-    labels: dict[Notice, list[str]] = {}
+    labels: dict[Notice, dict[str, None]] = {}
     for label, notice in told:
-        labels.setdefault(notice, []).append(label)
+        labels.setdefault(notice, {})[label] = None
     return [
         replace(notice, message=f"{'; '.join(having_it)}: {notice.message}")
         if len(having_it) < pockets
@@ -253,11 +253,19 @@ def goes_on() -> Notice:
     return Notice("The floor goes on beyond what is selected; that stays.", PICK_ALL)
 
 
-def ledges(wanted: PocketRequest) -> list[Notice]:
-    """Tell how much is cleared above ledges beside the floor, if that is more than the floor."""
-    more, lowest = 0.0, None
+def ledges(wanted: PocketRequest, others: Sequence[Polygon]) -> list[Notice]:
+    """Tell how much is cleared above ledges beside the floor, if that is more than the floor.
+
+    Parameters
+    ----------
+    wanted : PocketRequest
+    others : sequence of shapely.Polygon
+        The floors of other pockets that are selected; what is above those is meant.
+    """
+    more, lowest, meant = 0.0, None, shapely.union_all(others)
     for above, level in pairwise(wanted.sections):
-        wider = above.pocket.area - (level.mouth or level.pocket).area
+        wider = shapely.difference(above.pocket, level.mouth or level.pocket)
+        wider = shapely.difference(wider, meant).area
         more += wider
         if wider > TOLD_LEDGE:
             lowest = above.z

@@ -55,6 +55,7 @@ def test_what_is_above_low_ribs_is_cut_by_the_first_pocket_alone(doc):
     assert len({plan.request.floor for plan in plans}) == 1
     lengths = [plan.report.cut_length for plan in plans]
     assert max(lengths[1:]) < 0.4 * lengths[0]
+    assert not [notice for notice in op.Notices if "ledges" in notice]
     assert_all_is_cut(op, tray(), (0.5, 0.5, 79.5, 59.5), -14.0)
 
 
