@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import Part
 import shapely
-from shapely import MultiPoint, Polygon
+from shapely import LineString, MultiPoint, Polygon
 
 from ..engine.shapes.region import grow, polygons_of
 from . import geometry
@@ -73,9 +73,14 @@ class OpenSides:
         lines = [shapely.linestrings([p.start for p in c] + [c[-1].end]) for c in pieces]
         self._edge = shapely.union_all(lines)
         sides = shapely.line_merge(self._edge) if len(lines) > 1 else self._edge
+        straight = [LineString([c.coords[0], c.coords[-1]]) for c in shapely.get_parts(sides)]
+        self._before = shapely.union_all(
+            shapely.buffer(straight, 2 * self._inset, cap_style="flat")
+        )
         outline = Polygon(geometry.polygon(floor, sag).exterior)
         *less, most = (_strips(sides, stock, cutter_radius, share) for share in OVER)
         self._around = shapely.buffer(most, 2 * self._inset)
+        self._standing: dict[float, shapely.Geometry] = {}
         self._kept_off: dict[float, shapely.Geometry] = {}
         cleared = self._cleared(outline, most, floor.z)
         self._strips = most
@@ -92,7 +97,18 @@ class OpenSides:
         beyond = shapely.difference(grow(ways, self._inset), filled)
         near = shapely.buffer(self._edge, OVERLAP)
         parts = [p for p in polygons_of(beyond) if p.intersects(near)]
+        if not parts:
+            return self._as_wide_as_its_mouth(free, z)
         return polygons_of(shapely.union_all([free, *(p.buffer(OVERLAP) for p in parts)]))[0]
+
+    def _as_wide_as_its_mouth(self, free: Polygon, z: float) -> Polygon:
+        """Return what is free with what is before its sides, where the cutter fits neither.
+
+        How wide the pocket is told to be then does not depend on how long its floor is.
+        """
+        before = shapely.difference(self._before, self._standing[z])
+        wider = polygons_of(shapely.union_all([free, before]))[0]
+        return wider if grow(wider, -self._inset - APART).is_empty else free
 
     def _cleared(self, outline: Polygon, strips: shapely.Geometry, z: float) -> shapely.Geometry:
         """Return what of the floor is cleared from beyond its edge."""
@@ -102,7 +118,8 @@ class OpenSides:
         """Return where the center may be in strips and beside them in the floor."""
         if z not in self._kept_off:
             found = [standing(solid, self._around, z, self._sag) for solid in self._solids]
-            self._kept_off[z] = grow(shapely.union_all(found), self._inset + APART)
+            self._standing[z] = shapely.union_all(found)
+            self._kept_off[z] = grow(self._standing[z], self._inset + APART)
         inside = shapely.intersection(filled, shapely.buffer(self._edge, self._inset))
         centers = shapely.difference(shapely.union(strips, inside), self._kept_off[z])
         near = shapely.buffer(self._edge, OVERLAP)

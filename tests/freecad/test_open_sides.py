@@ -10,7 +10,7 @@ from sample_parts import add_job, add_part, faces_at, motion
 from solid_oracle import Surface, gouges, places
 
 from freecad_spiralpocket import api
-from freecad_spiralpocket.engine.errors import SelectionError
+from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, SelectionError
 from freecad_spiralpocket.op import geometry, selection
 
 FLOOR, R = -6.0, 3.0
@@ -199,3 +199,13 @@ def test_a_side_that_leans_in_below_the_floor_hangs_over_nothing(doc):
     assert op.UncutArea < 0.05
     assert op.Proxy.plans[0].request.beyond.bounds[1] < -0.1
     assert len(gouges(Surface.of(shape), places(motion(op), 1.0), R, 0.01)) == 0
+
+
+@pytest.mark.parametrize(
+    ("diameter", "said"), [(8.0, "no wider than the 8 mm"), (9.0, "(8|7.99) mm wide")]
+)
+def test_a_keyway_is_as_narrow_as_across_however_short_it_is(doc, diameter, said):
+    bore = Part.makeCylinder(25, 20, Vector(50, 30, -12))
+    job, part = job_of(doc, plate(bore, tool_box(46, 50, 54, 58, corner=0)), diameter=diameter)
+    with pytest.raises(CutterDoesNotFitError, match=said):
+        cut(job, part)
