@@ -165,7 +165,7 @@ class Entry:
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """What the pocket's walls leave free at one level, where they are not vertical.
+    """What walls leave free at one level, where they are not vertical or the stock is not.
 
     Attributes
     ----------

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Rest machining: what earlier operations of the job have left standing in a pocket.
 
-Their paths are read as they are, whichever operation made them: what a flat cutter has swept at the
-depth of the pocket's floor, or deeper, is gone; where walls are not upright, of each level what was
-swept at its own depth or deeper. As in FreeCAD's own pockets these are the operations that stand
-before this one in the job and are active.
+Their paths are read as they are, whichever operation made them: of each level what a flat cutter
+has swept at its own depth, or deeper, is gone. As in FreeCAD's own pockets these are the operations
+that stand before this one in the job and are active.
 """
 
 from __future__ import annotations
@@ -21,8 +20,8 @@ from shapely import MultiPolygon, Polygon
 
 from ..engine.contact.swept import Pieces, cut_into_pieces
 from ..engine.errors import RequestError
-from ..engine.levels import at_level, levels_of
-from ..engine.model import PocketRequest
+from ..engine.levels import at_level, floors, levels_of
+from ..engine.model import PocketRequest, Section
 from ..engine.proof.coverage import reachable_floor, uncut_floor
 from ..engine.shapes.region import polygons_of
 from ..engine.toolpath import Toolpath
@@ -60,30 +59,47 @@ def rest_of(wanted: PocketRequest, obj: Any, known: Known) -> PocketRequest:
     known : Known
         See `Pockets`.
     """
-    floors = [(s.pocket, s.z) for s in wanted.sections] or [(wanted.pocket, wanted.floor)]
     cutters = list(_cutters_before(obj))
-    rests = [_standing(floor, cutters, wanted, known) for floor in floors]
-    if all(rest is pocket for rest, (pocket, _) in zip(rests, floors, strict=True)):
+
+    def standing(section: Section) -> shapely.Geometry:
+        return _standing((section.pocket, section.z), cutters, wanted, known)
+
+    sections = wanted.sections or _levels(wanted)
+    if not wanted.sections and _is_skin(standing(sections[-1]), standing(sections[0])):
+        sections = sections[-1:]
+    rests = [standing(section) for section in sections]
+    if all(rest is s.pocket for rest, s in zip(rests, sections, strict=True)):
         return wanted
     rests = [shapely.buffer(shapely.buffer(rest, -SKIN), SKIN + MORE) for rest in rests]
     around = _around(wanted)
     stocks = [
-        _without(around, shapely.difference(pocket, rest))
-        for rest, (pocket, _) in zip(rests, floors, strict=True)
+        _without(around, shapely.difference(s.pocket, rest))
+        for rest, s in zip(rests, sections, strict=True)
     ]
-    if not wanted.sections:
+    if len(sections) == 1 and not wanted.sections:
         return replace(wanted, stock=stocks[0])
     # corners that stay at one level are nothing to cut at another
     radius, left = wanted.cutter_radius, wanted.cutting.stock_to_leave
-    within = [reachable_floor(pocket, radius, left) for pocket, _ in floors]
+    within = [reachable_floor(s.pocket, radius, left) for s in sections]
     rests = [shapely.intersection(rest, w) for rest, w in zip(rests, within, strict=True)]
-    cleared = shapely.difference(floors[0][0], shapely.union_all(rests))
-    levels = zip(wanted.sections, stocks, strict=True)
+    cleared = shapely.difference(sections[0].pocket, shapely.union_all(rests))
+    levels = zip(sections, stocks, strict=True)
     return replace(
         wanted,
         stock=_without(around, cleared),
         sections=tuple(replace(section, stock=stock) for section, stock in levels),
     )
+
+
+def _levels(wanted: PocketRequest) -> tuple[Section, ...]:
+    """Return the levels between vertical walls."""
+    bottoms = floors(wanted.heights, wanted.cutting.floor_stock)
+    return tuple(Section(z, wanted.pocket) for z in bottoms)
+
+
+def _is_skin(low: shapely.Geometry, high: shapely.Geometry) -> bool:
+    """Return whether what stands at a level and not at a higher one is too thin for a rest."""
+    return bool(shapely.buffer(shapely.difference(low, high), -SKIN).is_empty)
 
 
 def _around(wanted: PocketRequest) -> Polygon | MultiPolygon:
@@ -134,7 +150,7 @@ def _standing(
 
 def share_cleared(request: PocketRequest) -> float:
     """Return which share of a pocket's volume was cleared before, in [0, 1]."""
-    if not request.sections:  # all levels are cut by what stands at the floor
+    if not request.sections:  # the same is left at all levels
         left, whole = request.to_clear(request.pocket).area, _inside(request.pocket, request).area
         return 1 - float(left / whole)
     levels = levels_of(request)

@@ -150,3 +150,28 @@ def test_a_slot_below_a_pocket_that_was_cleared_is_cut_alone(doc):
     assert rest.MachiningTime < 0.5 * cut(job, part, small, StepDown=2.0).MachiningTime
     assert rest.Proxy.plans[0].report.uncut_area < 0.05
     assert not any(notice.startswith("No earlier operation") for notice in rest.Notices)
+
+
+def test_below_a_vertical_pocket_that_was_cleared_in_part_only_corners_are_cut_above(doc):
+    shape = block(area(rectangle(60, 45, SMALL)))
+    job, part, large, small = job_of(doc, shape)
+    first = cut(job, part, large, StepDown=2.0, FinalDepth=-4.0)
+    rest = cut(job, part, small, StepDown=2.0, UseRestMachining=True)
+    (plan,) = rest.Proxy.plans
+    middle = shapely.box(0, 0, 60, 45).buffer(-LARGE)
+    angles, points = plan.report.engagement_angles, plan.report.engagement_points
+    inside = (angles > 0.05) & shapely.contains_xy(middle, points[:, :2])
+    assert inside.any() and points[inside, 2].max() < -4.0
+    assert {-2.0, -4.0} < set(depths(rest))
+    ops = [(first, LARGE), (rest, SMALL)]
+    assert all(left.area < 0.05 for left in standing(ops, plan.request, SMALL))
+    assert strikes(shape, ops) < 0.02
+    whole = cut(job, part, small, StepDown=2.0)
+    assert rest.MachiningTime < 0.6 * whole.MachiningTime
+
+
+def test_levels_of_a_vertical_pocket_that_were_cleared_wholly_are_not_entered(doc):
+    job, part, large, small = job_of(doc, block(area(rectangle(60, 45, LARGE))))
+    cut(job, part, large, StepDown=2.0, FinalDepth=-4.0)
+    rest = cut(job, part, small, StepDown=2.0, UseRestMachining=True)
+    assert max(depths(rest)) < -4.0
