@@ -64,6 +64,14 @@ class Strategy(Enum):
     ISOTHERM = "Isotherm"
     CENTRAL_SPIRAL = "Central Spiral"
 
+    @property
+    def has_closing_lap(self) -> bool:
+        """Return whether it ends with a lap of its own along the wall, or not, as is asked for.
+
+        The laps and strokes of the others finish the walls.
+        """
+        return self not in (Strategy.AUTOMATIC, Strategy.EXTENDED_ARCHIMEDEAN)
+
 
 @dataclass(frozen=True, slots=True)
 class Heights:
@@ -216,8 +224,9 @@ class PocketRequest:
     beyond : shapely.Polygon or MultiPolygon or None
         Ground of the pocket beyond its open sides, which may be cut but need not be [mm].
     sections : tuple of Section
-        The levels from the top down, where walls are slanted or stepped; the last is the floor
-        with `pocket` itself. Empty for vertical walls: then the heights give the levels.
+        The levels from the top down, where walls are slanted or stepped or other stock stands at
+        some; the last is the floor with `pocket` itself. Empty where all levels are alike: then
+        the heights give them.
     """
 
     pocket: Polygon

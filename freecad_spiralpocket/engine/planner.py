@@ -110,11 +110,14 @@ def _without_crowds(request: PocketRequest) -> PocketRequest:
 
     Each costs as much time as one of a wall, and outlines from meshes or scans have thousands.
     """
+    is_upright = all(s.pocket == request.pocket and s.mouth is None for s in request.sections)
     slim = shapely.simplify(request.pocket, CROWD)
     counts = shapely.get_num_coordinates([slim, request.pocket])
-    if request.sections or 2 * counts[0] > counts[1]:
+    if not is_upright or 2 * counts[0] > counts[1]:
         return request
-    return replace(request, pocket=orient(slim))
+    pocket = orient(slim)
+    sections = tuple(replace(section, pocket=pocket) for section in request.sections)
+    return replace(request, pocket=pocket, sections=sections)
 
 
 def _rooms_with_stock(request: PocketRequest) -> tuple[list[Room], list[Notice]]:

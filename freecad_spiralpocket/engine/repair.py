@@ -253,6 +253,7 @@ def _left(report: Report, request: PocketRequest) -> float:
 
     Without a closing lap the corners are left on purpose.
     """
-    if not request.cutting.finishing_lap or report.uncut_area <= uncut_allowed(request):
+    leaves_corners = request.strategy.has_closing_lap and not request.cutting.finishing_lap
+    if leaves_corners or report.uncut_area <= uncut_allowed(request):
         return 0.0
     return report.uncut_area

@@ -106,9 +106,16 @@ class OpenSides:
 
         How wide the pocket is told to be then does not depend on how long its floor is.
         """
-        before = shapely.difference(self._before, self._standing[z])
+        before = shapely.difference(self._before, self._standing_at(z))
         wider = polygons_of(shapely.union_all([free, before]))[0]
         return wider if grow(wider, -self._inset - APART).is_empty else free
+
+    def _standing_at(self, z: float) -> shapely.Geometry:
+        """Return what stands around the open sides at Z `z`."""
+        if z not in self._standing:
+            found = [standing(solid, self._around, z, self._sag) for solid in self._solids]
+            self._standing[z] = shapely.union_all(found)
+        return self._standing[z]
 
     def _cleared(self, outline: Polygon, strips: shapely.Geometry, z: float) -> shapely.Geometry:
         """Return what of the floor is cleared from beyond its edge."""
@@ -117,9 +124,7 @@ class OpenSides:
     def _ways(self, filled: Polygon, strips: shapely.Geometry, z: float) -> shapely.Geometry:
         """Return where the center may be in strips and beside them in the floor."""
         if z not in self._kept_off:
-            found = [standing(solid, self._around, z, self._sag) for solid in self._solids]
-            self._standing[z] = shapely.union_all(found)
-            self._kept_off[z] = grow(self._standing[z], self._inset + APART)
+            self._kept_off[z] = grow(self._standing_at(z), self._inset + APART)
         inside = shapely.intersection(filled, shapely.buffer(self._edge, self._inset))
         centers = shapely.difference(shapely.union(strips, inside), self._kept_off[z])
         near = shapely.buffer(self._edge, OVERLAP)

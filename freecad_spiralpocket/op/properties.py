@@ -159,8 +159,8 @@ TABLE = (
     _option(
         "FinishingProfile",
         "Bool",
-        "To take a finishing lap along the walls at the end; Automatic does without, its laps "
-        "finish the walls",
+        "To take a finishing lap along the walls at the end; Automatic and Extended Archimedean do "
+        "without, their laps finish the walls",
         True,
     ),
     _option("UseOutline", "Bool", "Ignore islands and clear everything inside the outline", False),

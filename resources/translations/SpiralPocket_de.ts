@@ -65,8 +65,8 @@
         <translation>Größte Tiefenzustellung je Ebene einer Nut, die die Tasche öffnet, 0 für automatisch</translation>
     </message>
     <message>
-        <source>To take a finishing lap along the walls at the end; Automatic does without, its laps finish the walls</source>
-        <translation>Zum Schluss eine Schlichtbahn entlang der Wände; Automatisch kommt ohne aus, dort schlichten die Umläufe die Wände</translation>
+        <source>To take a finishing lap along the walls at the end; Automatic and Extended Archimedean do without, their laps finish the walls</source>
+        <translation>Zum Schluss eine Schlichtbahn entlang der Wände; Automatisch und Erweitert archimedisch kommen ohne aus, dort schlichten die Umläufe die Wände</translation>
     </message>
     <message>
         <source>Ignore islands and clear everything inside the outline</source>

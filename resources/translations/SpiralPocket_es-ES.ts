@@ -65,8 +65,8 @@
         <translation>Mayor pasada axial de una ranura que abre la cajera, 0 para automático</translation>
     </message>
     <message>
-        <source>To take a finishing lap along the walls at the end; Automatic does without, its laps finish the walls</source>
-        <translation>Terminar con una pasada de acabado por las paredes; Automático no la necesita, sus vueltas acaban las paredes</translation>
+        <source>To take a finishing lap along the walls at the end; Automatic and Extended Archimedean do without, their laps finish the walls</source>
+        <translation>Terminar con una pasada de acabado por las paredes; Automático y Arquimediana extendida no la necesitan, sus vueltas acaban las paredes</translation>
     </message>
     <message>
         <source>Ignore islands and clear everything inside the outline</source>

@@ -65,8 +65,8 @@
         <translation>Plus grande passe axiale d'une rainure qui ouvre la poche, 0 pour automatique</translation>
     </message>
     <message>
-        <source>To take a finishing lap along the walls at the end; Automatic does without, its laps finish the walls</source>
-        <translation>Terminer par une passe de finition le long des parois ; inutile en Automatique, dont les tours finissent les parois</translation>
+        <source>To take a finishing lap along the walls at the end; Automatic and Extended Archimedean do without, their laps finish the walls</source>
+        <translation>Terminer par une passe de finition le long des parois ; inutile en Automatique et en Archimédienne étendue, dont les tours finissent les parois</translation>
     </message>
     <message>
         <source>Ignore islands and clear everything inside the outline</source>

@@ -65,8 +65,8 @@
         <translation>开槽时每层的最大轴向切深，0 为自动</translation>
     </message>
     <message>
-        <source>To take a finishing lap along the walls at the end; Automatic does without, its laps finish the walls</source>
-        <translation>最后沿侧壁走一圈精加工；“自动”不需要，其圈次已精加工侧壁</translation>
+        <source>To take a finishing lap along the walls at the end; Automatic and Extended Archimedean do without, their laps finish the walls</source>
+        <translation>最后沿侧壁走一圈精加工；“自动”和“扩展阿基米德”不需要，其圈次已精加工侧壁</translation>
     </message>
     <message>
         <source>Ignore islands and clear everything inside the outline</source>

@@ -188,6 +188,11 @@ def test_ground_left_is_cured_by_a_smaller_stepover(use):
     assert made.report.uncut_area < 0.01
 
 
+def test_it_is_cured_too_where_a_closing_lap_is_not_wanted_that_automatic_has_not(use):
+    made = use(only_if_as_asked(leaves_half), cutting=Cutting(STEPOVER, finishing_lap=False))
+    assert made.report.uncut_area < 6.0  # corners: what stands in for Automatic leaves these
+
+
 def test_what_a_smaller_stepover_leaves_as_it_was_goes_to_the_other_strategy_at_once(use):
     planned = []
 

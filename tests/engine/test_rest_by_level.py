@@ -12,7 +12,7 @@ from shapely.affinity import translate
 from shapes import request as make_request
 from shapes import rounded
 
-from freecad_spiralpocket.engine import copies, plan
+from freecad_spiralpocket.engine import copies, plan, planner
 from freecad_spiralpocket.engine.contact.air import Stock
 from freecad_spiralpocket.engine.contact.engagement import along_path, engagement_of
 from freecad_spiralpocket.engine.draft import draft
@@ -97,6 +97,19 @@ def test_only_levels_with_a_rest_are_entered_and_it_is_cut(name, mode):
 def test_nothing_left_at_any_level_is_told():
     with pytest.raises(AlreadyClearedError, match="UseRestMachining"):
         plan(levels_request([stock_of(p, p) for p in POCKETS]))
+
+
+def test_crowds_of_points_are_left_out_between_upright_walls():
+    pocket = shapely.segmentize(rounded(box(0, 0, 50, 40), 4.0), 0.002)
+    upper, lower = stock_of(pocket, pocket), stock_of(pocket, box(0, 0, 20, 40))
+    sections = Section(-2.0, pocket, stock=upper), Section(-5.0, pocket, stock=lower)
+    heights = Heights(8.0, 3.0, 0.0, -5.0, 3.0)
+    asked = make_request(pocket, sections=sections, heights=heights, stock=lower)
+    slim = planner._without_crowds(asked)
+    assert len(slim.pocket.exterior.coords) < 1000 < len(pocket.exterior.coords)
+    assert [s.pocket for s in slim.sections] == [slim.pocket, slim.pocket]
+    leaning = replace(asked, sections=(replace(sections[0], mouth=pocket.buffer(1.0)), sections[1]))
+    assert planner._without_crowds(leaning) is leaning
 
 
 def test_the_same_ground_with_other_rests_has_other_paths():

@@ -228,7 +228,7 @@ class OperationPage(PathOpGui.TaskPanelPage):
         form.strategyNote.setText(strategy_note(strategy))
         form.strategyNote.setVisible(bool(form.strategyNote.text()))
         ruled = {path for path, _ in self.obj.ExpressionEngine}
-        is_used = strategy != Strategy.AUTOMATIC.value
+        is_used = Strategy(strategy).has_closing_lap
         form.finishingProfile.setEnabled(is_used and "FinishingProfile" not in ruled)
         slowed = FeedMode.LINEAR_SLOWDOWN
         for name, box, label, its_mode in (
