@@ -29,6 +29,10 @@ POST_DECIMALS = 3
 #: The ends of an arc farther apart than the first stay apart in four decimals of an inch; farther
 #: than the second in three. Short of that it is a line if it is as flat as this [mm].
 SHORT, SHORTISH, FLAT = 0.004, 0.04, 0.001
+#: FreeCAD's dressups take an arc for half a turn where the area that its two radii span is less
+#: than this [mm2]; those that turn less than the second [rad] are written as lines, each of which
+#: turns by no more than the third.
+SPANNED, HALF, TURN = 0.006, 3.0, 0.26
 
 _NAMES = {Kind.RAPID: "G0", Kind.LINE: "G1", Kind.ARC_CW: "G2", Kind.ARC_CCW: "G3"}
 
@@ -62,14 +66,16 @@ def from_toolpath(toolpath: Toolpath, *, with_feeds: bool = True) -> list[Any]:
     for (kind, center, feed), there, target in zip(moves, points, posted, strict=True):
         if target == seen:
             continue
-        words = dict(zip("XYZ", there, strict=True))
+        ends, words = [there], {"F": feed} if with_feeds and kind != Kind.RAPID else {}
         if kind >= Kind.ARC_CW and _is_line(here, there, center):
             kind = Kind.LINE
+        elif kind >= Kind.ARC_CW and _is_misread(here, there, center):
+            kind, ends = Kind.LINE, _chords(here, there, center)
         if kind >= Kind.ARC_CW:
             words["I"], words["J"] = (_rounded(c - h) for c, h in zip(center, here, strict=False))
-        if with_feeds and kind != Kind.RAPID:
-            words["F"] = feed
-        commands.append(Path.Command(_NAMES[kind], words))
+        for end in ends:
+            place = dict(zip("XYZ", end, strict=True))
+            commands.append(Path.Command(_NAMES[kind], place | words))
         here, seen = there, target
     return commands
 
@@ -81,6 +87,35 @@ def _is_line(begin: Sequence[float], end: Sequence[float], center: Sequence[floa
         return True
     height = radius - math.sqrt(max(0.0, radius**2 - chord**2 / 4))
     return chord < SHORTISH and height < FLAT
+
+
+def _is_misread(begin: Sequence[float], end: Sequence[float], center: Sequence[float]) -> bool:
+    """Return whether FreeCAD takes an arc of less than half a turn for one, twice as long."""
+    (ax, ay), (bx, by) = ((p[0] - center[0], p[1] - center[1]) for p in (begin, end))
+    return abs(ax * by - ay * bx) < SPANNED and abs(_turn(begin, end, center)) < HALF
+
+
+def _turn(begin: Sequence[float], end: Sequence[float], center: Sequence[float]) -> float:
+    """Return by how much an arc of at most half a turn turns, counter-clockwise [rad]."""
+    first, last = (math.atan2(p[1] - center[1], p[0] - center[0]) for p in (begin, end))
+    return math.remainder(last - first, math.tau)
+
+
+def _chords(
+    begin: Sequence[float], end: Sequence[float], center: Sequence[float]
+) -> list[list[float]]:
+    """Return where lines along an arc end."""
+    turn = _turn(begin, end, center)
+    count = math.ceil(abs(turn) / TURN)
+    x, y = (b - c for b, c in zip(begin, center, strict=False))
+    ends = []
+    for i in range(1, count):
+        share = i / count
+        cos, sin = math.cos(share * turn), math.sin(share * turn)
+        z = begin[2] + share * (end[2] - begin[2])
+        place = center[0] + x * cos - y * sin, center[1] + x * sin + y * cos, z
+        ends.append([_rounded(value) for value in place])
+    return [*ends, list(end)]
 
 
 def join(parts: Iterable[list[Any]]) -> list[Any]:

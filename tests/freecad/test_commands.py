@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Toolpaths become commands that every post, dressup and simulator understands."""
 
+import importlib
 from itertools import pairwise
 
 import numpy as np
@@ -90,6 +91,41 @@ def test_no_arc_ends_where_it_begins_in_any_post(unit, decimals):
         # what is a line instead is one but for a thousandth of a millimeter
         elif chord > 0.05:
             assert last.Name == "G3"
+
+
+def geom():
+    """Return FreeCAD's own geometry of commands, by which its dressups go."""
+    try:
+        return importlib.import_module("Path.Geom")
+    except ImportError:  # before 1.0
+        return importlib.import_module("PathScripts.PathGeom")
+
+
+@pytest.mark.parametrize("ccw", [True, False])
+@pytest.mark.parametrize("radius", [0.01, 0.03, 0.06, 0.1, 0.3, 2.0])
+def test_dressups_see_every_arc_as_it_is(radius, ccw):
+    for turn in np.radians([1, 5, 20, 45, 90, 130, 160, 175, 179, 179.9, 180]):
+        sign = 1 if ccw else -1
+        angles = 0.3 + np.array([0.0, sign * turn])
+        (x, y), end = radius * np.column_stack([np.cos(angles), np.sin(angles)])
+        start = ("line", (x, y, 5), FEED, Role.CUT)
+        made = built(start, ("arc", (*end, 5), (0.0, 0.0), ccw, FEED, Role.CUT))
+        length = 0.0
+        for before, command in pairwise(made[2:]):
+            edge = geom().edgeForCmd(command, before.Placement.Base)
+            length += edge.Length if edge else 0.0
+        assert length == pytest.approx(radius * turn, rel=0.004, abs=0.005), np.degrees(turn)
+
+
+def test_lines_instead_of_an_arc_keep_to_it_and_turn_softly():
+    radius = 0.06
+    start, arc = (radius, 0, 5), ((0, radius, 5), (0, 0), True, FEED, Role.CUT)
+    made = built(("line", start, FEED, Role.CUT), ("arc", *arc))[3:]
+    ends = np.array([start[:2], *((c.x, c.y) for c in made)])
+    assert {c.Name for c in made} == {"G1"} and ends[-1] == pytest.approx([0, radius])
+    assert np.hypot(*ends.T) == pytest.approx(radius, abs=1e-6)
+    ways = np.degrees(np.unwrap(np.arctan2(*np.diff(ends, axis=0).T[::-1])))
+    assert np.abs(np.diff(ways)).max() < 16
 
 
 def test_nothing_is_a_negative_zero():
