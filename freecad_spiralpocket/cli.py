@@ -4,7 +4,7 @@
 Opens a part, makes a job with an end mill (or takes the job that is there), adds
 one operation for the chosen floors and writes what was asked for: G-code, the
 FreeCAD document, a picture. The report on the terminal has one line for each
-figure. The stock's top is the part's top.
+figure. In a job that it makes the stock's top is the part's top.
 """
 
 from __future__ import annotations

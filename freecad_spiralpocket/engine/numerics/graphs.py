@@ -65,7 +65,7 @@ def spanning_tree(count: int, edges: NDArray[np.intp], lengths: Floats) -> NDArr
     edges : ndarray of int, shape (m, 2)
         The nodes that each joins.
     lengths : ndarray of shape (m,)
-        Of edges, 0 or more; equal to 1e-6 are ties, which the first wins.
+        Of edges, of any sign; equal to 1e-6 are ties, which the first wins.
 
     Returns
     -------

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The way down: a helix or a slot opened in shallow levels, or straight down beside the stock.
 
-The helix' circle is at most as wide as the cutter's radius, so that no post
+The radius of the helix' circle is at most nearly the cutter's, so that no post
 remains in the middle; as wide as fits otherwise, because a wide helix sinks more
 per turn at the same ramp angle. It starts at just the angle that makes it end,
 after whole and part turns and one flat one, where the spiral begins.

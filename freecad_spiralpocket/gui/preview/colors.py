@@ -47,8 +47,8 @@ CLEARED, LEFT, ISLAND, CUTTER = (
     (0.95, 0.75, 0.2),
 )
 
-#: The scale of engagement reaches to this multiple of the limit: at the limit it is green to
-#: yellow, what is red is overloaded.
+#: The scale of engagement reaches to this multiple of the limit: at the limit it is yellow, what is
+#: red is overloaded.
 OVER_LIMIT = 1.6
 
 
