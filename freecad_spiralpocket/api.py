@@ -312,7 +312,7 @@ def _set(op: Any, name: str, value: Any) -> None:
         setattr(op, name, value)
     except (TypeError, ValueError, ArithmeticError, RuntimeError) as error:
         raise RequestError(
-            f"{name} cannot be {value!r}: {_said(error)}.", _hint_for(op, name)
+            f"{name} cannot be {value!r}: {compat.said_by(error)}.", _hint_for(op, name)
         ) from error
     _check_kept(op, name, value)
 
@@ -323,14 +323,6 @@ def _check_kept(op: Any, name: str, value: Any) -> None:
     is_number = isinstance(value, float | int) and not isinstance(value, bool)
     if is_number and value < 0 and kept == 0:
         raise RequestError(f"{name} cannot be {value!r}: it is negative.", "Give 0 or more.")
-
-
-def _said(error: Exception) -> str:
-    """Return what FreeCAD says; 0.20 puts that into a dictionary."""
-    said = error.args[0] if error.args else ""
-    if isinstance(said, dict):
-        said = said.get("sErrMsg") or "it is of another kind"
-    return str(said).rstrip(".!")
 
 
 def _hint_for(op: Any, name: str) -> str:

@@ -23,16 +23,22 @@ else:
 
 __all__ = [
     "INACTIVE_ICON",
+    "TASK_DOCKS",
     "PathOpGui",
     "PathSelection",
     "PathUtils",
     "bear_lost_selection",
     "check_box_signal",
     "chinese_fonts",
+    "fill_tool_controllers",
     "freecad_icon",
     "has_tool_controller_editor",
     "run_dialog",
+    "tool_controller_editor",
 ]
+
+#: The dock that holds task panels, since 1.0 and before.
+TASK_DOCKS = ("Tasks", "Combo View")
 
 
 def freecad_icon(name: str) -> str:
@@ -77,6 +83,19 @@ def check_box_signal(box: Any) -> Any:
 def has_tool_controller_editor() -> bool:
     """Return whether the panel can unfold the tool controller's own editor (1.1 and later)."""
     return hasattr(PathOpGui.TaskPanelPage, "updateToolControllerEditorVisibility")
+
+
+def tool_controller_editor(page: Any) -> Any:
+    """Return the editor that a page has for the chosen tool controller, None without."""
+    return getattr(page, "tcEditor", None) or None
+
+
+def fill_tool_controllers(page: Any) -> None:
+    """Fill a page's list of tool controllers anew (1.1 has a method of its own for that)."""
+    if hasattr(page, "resetTCCombo"):
+        page.resetTCCombo()
+    else:
+        page.setupToolController(page.obj, page.form.toolController)
 
 
 def run_dialog(dialog: QtGui.QDialog) -> int:

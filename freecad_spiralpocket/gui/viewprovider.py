@@ -18,7 +18,7 @@ import FreeCADGui
 
 from ..engine.errors import SpiralPocketError
 from ..op import presets
-from ..op.compat import parent_job
+from ..op.compat import KeepsNothing, parent_job
 from ..op.expressions import check_expressions
 from ..op.operation import required_job
 from .command import ICON
@@ -33,7 +33,7 @@ from .texts import messages
 translate = FreeCAD.Qt.translate
 
 
-class ViewProvider(PathOpGui.ViewProvider):
+class ViewProvider(KeepsNothing, PathOpGui.ViewProvider):
     """Proxy of the operation's view object."""
 
     OpIcon = str(RESOURCES / "icons" / f"{ICON}.svg")
@@ -125,20 +125,6 @@ class ViewProvider(PathOpGui.ViewProvider):
         job = panel.document.getObject(panel.job_name)
         if job is not None and hasattr(job.ViewObject.Proxy, method):
             getattr(job.ViewObject.Proxy, method)(job)
-
-    # --- nothing of the proxy is saved
-
-    def dumps(self) -> None:
-        """Save nothing (1.0 and later)."""
-
-    def loads(self, state: Any) -> None:
-        """Restore nothing (1.0 and later)."""
-
-    def __getstate__(self) -> None:
-        """Save nothing (0.20)."""
-
-    def __setstate__(self, state: Any) -> None:
-        """Restore nothing (0.20)."""
 
 
 def _require_job(obj: Any) -> None:

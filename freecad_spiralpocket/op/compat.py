@@ -4,7 +4,8 @@
 1.0 turned the workbench "Path" (modules ``PathScripts.Path*``) into "CAM"
 (package ``Path``); 1.1 turned tools into assets. The aliases at the top have the
 same interface everywhere, the functions below do the same thing everywhere.
-Nothing else in `op`, `api` and `cli` asks for a version.
+Nothing else in `op`, `api` and `cli` asks for a version (but `adjacency.outer_wire` minds what 0.20
+mistakes).
 """
 
 from __future__ import annotations
@@ -46,6 +47,7 @@ except ImportError:
 __all__ = [
     "IS_LEGACY",
     "STALE_ELEMENT_ERRORS",
+    "KeepsNothing",
     "PathJob",
     "PathLog",
     "PathOp",
@@ -60,6 +62,7 @@ __all__ = [
     "operation_property",
     "parent_job",
     "post_process",
+    "said_by",
     "set_end_mill",
     "supplied_tool_controller",
     "tool_name",
@@ -88,6 +91,30 @@ LEGACY_SHAPES = {
     "engraver": "vbit",
     "slotcutter": "slittingsaw",
 }
+
+
+class KeepsNothing:
+    """Base of proxies of which nothing is saved; it goes before FreeCAD's own."""
+
+    def dumps(self) -> None:
+        """Save nothing (1.0 and later)."""
+
+    def loads(self, state: Any) -> None:
+        """Restore nothing (1.0 and later)."""
+
+    def __getstate__(self) -> None:
+        """Save nothing (0.20)."""
+
+    def __setstate__(self, state: Any) -> None:
+        """Restore nothing (0.20)."""
+
+
+def said_by(error: Exception) -> str:
+    """Return what FreeCAD says of an error; 0.20 puts that into a dictionary."""
+    said = error.args[0] if error.args else ""
+    if isinstance(said, dict):
+        said = said.get("sErrMsg") or "it is of another kind"
+    return str(said).rstrip(".!")
 
 
 def parent_job(obj: Any) -> Any:

@@ -26,6 +26,7 @@ from ..engine.errors import CancelledError, SetupError, SpiralPocketError
 from ..engine.model import Plan, Progress
 from . import commands, properties, results, selection
 from .compat import (
+    KeepsNothing,
     PathLog,
     PathOp,
     PathSetupSheet,
@@ -46,7 +47,7 @@ if TYPE_CHECKING:
 NAME = "SpiralPocket"
 
 
-class ObjectSpiralPocket(PathOp.ObjectOp):
+class ObjectSpiralPocket(KeepsNothing, PathOp.ObjectOp):
     """Proxy of the operation.
 
     Attributes
@@ -237,18 +238,6 @@ class ObjectSpiralPocket(PathOp.ObjectOp):
             self.errors = [error]
         obj.Path = Path.Path([commands.comment(f"{obj.Label}: no path. {error.message}")])
         properties.set_results(obj, {"Notices": [str(e) for e in self.errors]})
-
-    def dumps(self) -> None:
-        """Save nothing (1.0 and later)."""
-
-    def loads(self, state: Any) -> None:
-        """Restore nothing (1.0 and later)."""
-
-    def __getstate__(self) -> None:
-        """Save nothing (0.20)."""
-
-    def __setstate__(self, state: Any) -> None:
-        """Restore nothing (0.20)."""
 
 
 def required_job(obj: Any) -> Any:

@@ -18,7 +18,7 @@ from window import (
     widget,
 )
 
-from freecad_spiralpocket.gui.panel.room import DOCKS
+from freecad_spiralpocket.gui.compat import TASK_DOCKS
 from freecad_spiralpocket.gui.preview.legend import Swatches
 
 MILLIMETERS, INCHES = 0, 3  # FreeCAD's numbers for them
@@ -67,7 +67,7 @@ def set_width(width):
         place.setLeft(place.right() - width + 1)
         over_the_view.setGeometry(place)
     else:
-        docks = [main_window().findChild(QtGui.QDockWidget, name) for name in DOCKS]
+        docks = [main_window().findChild(QtGui.QDockWidget, name) for name in TASK_DOCKS]
         main_window().resizeDocks([d for d in docks if d], [width], QtCore.Qt.Horizontal)
     pump(0.3)
 

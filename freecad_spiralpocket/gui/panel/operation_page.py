@@ -16,7 +16,13 @@ from PySide import QtCore, QtGui
 from ...engine.model import FeedMode, Strategy
 from ...op.compat import parent_job, supplied_tool_controller
 from ...op.properties import INHERITED, TABLE, option_names
-from ..compat import PathOpGui, PathUtils, has_tool_controller_editor
+from ..compat import (
+    PathOpGui,
+    PathUtils,
+    fill_tool_controllers,
+    has_tool_controller_editor,
+    tool_controller_editor,
+)
 from ..fields.field import Between, Check, Choice, Field, LinkFeed, Number, Quantity, silent
 from ..fields.rounded import write_no_rounded_feeds
 from ..fields.start_point import StartPointField
@@ -132,8 +138,8 @@ class OperationPage(PathOpGui.TaskPanelPage):
         first = next(iter(PathUtils.getToolControllers(self.obj)), None)
         with rightly_named(), supplied_tool_controller(first):
             super().setupToolController(*obj_and_combo)
-        if getattr(self, "tcEditor", None):
-            write_no_rounded_feeds(self.tcEditor)
+        if editor := tool_controller_editor(self):
+            write_no_rounded_feeds(editor)
         combo, controller = self.form.toolController, self.obj.ToolController
         if controller is None or combo.currentText() != controller.Label:
             with silent(combo):
@@ -270,12 +276,9 @@ class OperationPage(PathOpGui.TaskPanelPage):
         """Show a label, feeds and speed that were changed elsewhere, lest they are written back."""
         if self.is_closed or self.obj.ToolController is None:
             return
-        if hasattr(self, "resetTCCombo"):
-            self.resetTCCombo()
-        else:
-            self.setupToolController(self.obj, self.form.toolController)
-        if getattr(self, "tcEditor", None):
-            self.tcEditor.updateUi()
+        fill_tool_controllers(self)
+        if editor := tool_controller_editor(self):
+            editor.updateUi()
 
     def drop_tool_controller(self, controller: Any) -> None:
         """Take one that is deleted off the list; if it was chosen, none is."""
@@ -284,9 +287,9 @@ class OperationPage(PathOpGui.TaskPanelPage):
         combo.removeItem(combo.findText(controller.Label))
         if is_chosen:
             combo.setCurrentIndex(-1)
-            if getattr(self, "tcEditor", None):
-                self.tcEditor.controller.hide()
-                self.tcEditor.updateToolController = lambda: None  # there is nothing to write to
+            if editor := tool_controller_editor(self):
+                editor.controller.hide()
+                editor.updateToolController = lambda: None  # there is nothing to write to
         blocker.unblock()
 
     def look_again(self) -> None:

@@ -8,8 +8,8 @@ from typing import Any
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-#: The dock that holds task panels, since 1.0 and before.
-DOCKS = ("Tasks", "Combo View")
+from ..compat import TASK_DOCKS
+
 #: Pixels for what FreeCAD draws around its boxes.
 FRAMES = 8
 
@@ -27,7 +27,7 @@ def make_room(pages: Any, shown: Any, folded: Any) -> bool:
         What may be unfolded in it.
     """
     window, before = FreeCADGui.getMainWindow(), pages.minimumWidth()
-    docks = [window.findChild(QtGui.QDockWidget, name) for name in DOCKS]
+    docks = [window.findChild(QtGui.QDockWidget, name) for name in TASK_DOCKS]
     for dock in docks:
         if dock is None or dock.isFloating() or not dock.isAncestorOf(shown):
             continue
