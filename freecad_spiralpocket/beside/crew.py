@@ -26,10 +26,9 @@ from ..engine.errors import CancelledError, SpiralPocketError, report_progress
 from ..engine.floor import FloorPath
 from ..engine.floor_paths import floor_path
 from ..engine.model import Plan, PocketRequest, Progress, Tick
-from .interpreters import SCRIPT, Interpreters, cores
+from .interpreters import SCRIPT, Interpreters, cores, versions
 from .messages import Mailbox, Message
 from .progress import stage_among
-from .tasks import versions
 
 #: Processes beside this one: a core each, but some memory too.
 HELPERS = min(7, cores() - 1)

@@ -3,7 +3,7 @@
 
 It must be the one that FreeCAD carries, or one with the same libraries in the same
 versions: the path must not depend on where it was planned. Whether that is so is known
-when it has told its `tasks.versions`; until then an interpreter is only likely.
+when it has told its `versions`; until then an interpreter is only likely.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import shutil
 import sys
+from importlib import import_module
 from pathlib import Path
 
 #: What they run.
@@ -59,7 +60,33 @@ def cores() -> int:
     return os.cpu_count() or 1
 
 
+def newest_source() -> float:
+    """Return when the newest of the add-on's files was written [s]."""
+    folder = Path(__file__).resolve().parents[1]
+    return max(path.stat().st_mtime for path in folder.rglob("*.py"))
+
+
+#: As it was when this was loaded: an update while FreeCAD runs must not mix old and new records.
+LOADED = newest_source()
+
+
+def versions() -> tuple[str, ...]:
+    """Return what must be the same here and in FreeCAD for the same path to come out."""
+    python = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    return python, *map(_version, ("numpy", "scipy", "shapely")), str(LOADED)
+
+
 def _freecads_own() -> list[Path]:
     """Return the folder of FreeCAD's programs; none in plain Python."""
     freecad = sys.modules.get("FreeCAD")
     return [Path(freecad.getHomePath(), "bin")] if freecad else []
+
+
+def _version(library: str) -> str:
+    """Return a library's version, without loading it if that can be: scipy takes half a second."""
+    from importlib import metadata  # takes 7 ms, which planning one pocket does without
+
+    try:
+        return metadata.version(library)
+    except metadata.PackageNotFoundError:
+        return str(import_module(library).__version__)

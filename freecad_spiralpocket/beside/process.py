@@ -37,8 +37,9 @@ def main():
     outbox = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # whatever a library prints goes to stderr
     sys.path[:] = pickle.load(sys.stdin.buffer)
+    from freecad_spiralpocket.beside.interpreters import versions
     from freecad_spiralpocket.beside.messages import framed
-    from freecad_spiralpocket.beside.tasks import Tasks, versions
+    from freecad_spiralpocket.beside.tasks import Tasks
     from freecad_spiralpocket.engine.errors import SpiralPocketError
 
     def send(*message):

@@ -10,12 +10,9 @@ from __future__ import annotations
 
 import math
 import pickle
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from importlib import import_module
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .interpreters import cores
@@ -126,29 +123,3 @@ class Tasks:
         from ..adaptive import plan_adaptive
 
         return Drawn.of(plan_adaptive(request))
-
-
-def newest_source() -> float:
-    """Return when the newest of the add-on's files was written [s]."""
-    folder = Path(__file__).resolve().parents[1]
-    return max(path.stat().st_mtime for path in folder.rglob("*.py"))
-
-
-#: As it was when this was loaded: an update while FreeCAD runs must not mix old and new records.
-LOADED = newest_source()
-
-
-def versions() -> tuple[str, ...]:
-    """Return what must be the same here and in FreeCAD for the same path to come out."""
-    python = f"{sys.version_info[0]}.{sys.version_info[1]}"
-    return python, *map(_version, ("numpy", "scipy", "shapely")), str(LOADED)
-
-
-def _version(library: str) -> str:
-    """Return a library's version, without loading it if that can be: scipy takes half a second."""
-    from importlib import metadata  # takes 7 ms, which planning one pocket does without
-
-    try:
-        return metadata.version(library)
-    except metadata.PackageNotFoundError:
-        return str(import_module(library).__version__)

@@ -23,9 +23,9 @@ from typing import Any
 
 from PySide import QtCore
 
-from ...beside.interpreters import SCRIPT, Interpreters
+from ...beside.interpreters import SCRIPT, Interpreters, versions
 from ...beside.messages import Mailbox, Message
-from ...beside.tasks import Tasks, versions
+from ...beside.tasks import Tasks
 from ...engine.model import Progress
 from ..qt.later import later
 
