@@ -15,10 +15,9 @@ import FreeCAD
 import FreeCADGui
 from PySide.QtCore import QT_TRANSLATE_NOOP
 
-COMMAND = "SpiralPocket_Create"
+from .resources import ICON
 
-#: The icon's name in the folder that `startup` registers.
-ICON = "SpiralPocket"
+COMMAND = "SpiralPocket_Create"
 
 
 def has_job(document: Any) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 import FreeCAD
 
 from ..engine.dependencies import require_libraries
-from ..engine.errors import SetupError, SpiralPocketError
+from ..engine.errors import SpiralPocketError
 from ..op import operation
 from ..op.compat import PathOp
 from .compat import PathUtils
@@ -54,7 +54,7 @@ def create(job: Any) -> Any:
         obj.ViewObject.Visibility = True
     except PathUtils.PathNoTCExistsException as error:
         abort(document)
-        raise no_tool_controller(job) from error
+        raise messages.no_tool_controller(job) from error
     except PathOp.PathNoTCException:
         abort(document)
         return None
@@ -62,16 +62,6 @@ def create(job: Any) -> Any:
         abort(document)
         raise
     return obj
-
-
-def no_tool_controller(job: Any) -> SetupError:
-    """Return what to say where there is none that FreeCAD's panel could show."""
-    return SetupError(
-        translate("SpiralPocket", "{} has no tool controller that can clear a pocket.").format(
-            job.Label
-        ),
-        translate("SpiralPocket", "Add one with an end mill to the job, then try again."),
-    )
 
 
 def abort(document: Any) -> None:

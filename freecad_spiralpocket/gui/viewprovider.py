@@ -21,13 +21,12 @@ from ..op import presets
 from ..op.compat import KeepsNothing, parent_job
 from ..op.expressions import check_expressions
 from ..op.operation import required_job
-from .command import ICON
 from .compat import INACTIVE_ICON, PathOpGui, PathSelection, PathUtils
 from .panel.operation_page import OperationPage
 from .panel.task_panel import TaskPanel, remove_left, take_back
 from .planning import progress
 from .qt.later import later
-from .resources import RESOURCES
+from .resources import ICON, RESOURCES
 from .texts import messages
 
 translate = FreeCAD.Qt.translate
@@ -129,8 +128,6 @@ class ViewProvider(KeepsNothing, PathOpGui.ViewProvider):
 
 def _require_job(obj: Any) -> None:
     """Raise if an operation is in no job, or in one without tools: FreeCAD's panel would fail."""
-    from .creation import no_tool_controller  # which makes operations with this provider
-
     job = required_job(obj)
     if obj.ToolController is None and not PathUtils.getToolControllers(obj):
-        raise no_tool_controller(job)
+        raise messages.no_tool_controller(job)

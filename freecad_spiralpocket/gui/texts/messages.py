@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from ...engine.errors import SpiralPocketError
+from ...engine.errors import SetupError, SpiralPocketError
 from ..compat import run_dialog
 from .localized import in_panel
 
@@ -25,3 +27,13 @@ def show(*errors: SpiralPocketError, more: str = "") -> None:
     box.setInformativeText("\n".join([*hints, *([more] if more else [])]))
     box.setStandardButtons(QtGui.QMessageBox.Ok)
     run_dialog(box)
+
+
+def no_tool_controller(job: Any) -> SetupError:
+    """Return what to say where there is none that FreeCAD's panel could show."""
+    return SetupError(
+        translate("SpiralPocket", "{} has no tool controller that can clear a pocket.").format(
+            job.Label
+        ),
+        translate("SpiralPocket", "Add one with an end mill to the job, then try again."),
+    )
