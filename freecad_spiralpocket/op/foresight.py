@@ -109,7 +109,7 @@ def requests_of(obj: Any, known: Known | None = None) -> Foreseen:
     pockets = Pockets(Foresight(obj), known=known)
     found = pockets.requests()
     notices = pockets.foreseen_notices(found)
-    return Foreseen([each.wanted for each in found], notices, pockets.labels)
+    return Foreseen([each.wanted for each in found], notices, [each.label for each in found])
 
 
 def _now(obj: Any) -> list[tuple[str, float]]:

@@ -51,6 +51,8 @@ class Found(NamedTuple):
 
     Attributes
     ----------
+    label : str
+        What the user calls the floor.
     floor : Floor or None
     wanted : PocketRequest or SpiralPocketError
     kept_off : float
@@ -61,6 +63,7 @@ class Found(NamedTuple):
         Of which `wanted` is what pockets before it leave.
     """
 
+    label: str
     floor: selection.Floor | None
     wanted: PocketRequest | SpiralPocketError
     kept_off: float = 0.0
@@ -104,33 +107,20 @@ class Pockets:
         self._selected = self._without_twins(found)
 
     def requests(self) -> list[Found]:
-        """Return for each selected floor it and its request, or None and what is the matter."""
+        """Return for each selected floor what was found, in the order in which they are cut."""
         floors = [self._floor(*face) for face in self._selected]
         sound = [f for f in floors if isinstance(f, selection.Floor)]
         found: list[Found] = []
-        for floor in floors:
+        for (model, names), floor in zip(self._selected, floors, strict=True):
+            label = selection.label(model, ", ".join(names))
             if isinstance(floor, SpiralPocketError):
-                found.append(Found(None, floor))
+                found.append(Found(label, None, floor))
                 continue
             try:
-                found.append(self._request(floor, sound))
+                found.append(self._request(label, floor, sound))
             except SpiralPocketError as error:
-                found.append(Found(None, error))
-        return self._without_shared_ground(found)
-
-    def _without_shared_ground(self, found: Sequence[Found]) -> list[Found]:
-        """Return what was found in the order in which it is cut, none where others have been."""
-        places = [i for i, each in enumerate(found) if each.whole is not None]
-        whole = [found[i].whole for i in places]
-        order = shared_ground.order(whole)
-        turned = dict(zip(places, (places[i] for i in order), strict=True))
-        numbers = [turned.get(i, i) for i in range(len(found))]
-        self._selected = [self._selected[i] for i in numbers]
-        wanted = iter(shared_ground.lowered([whole[i] for i in order]))
-        return [
-            each if each.whole is None else each._replace(wanted=next(wanted))
-            for each in (found[i] for i in numbers)
-        ]
+                found.append(Found(label, None, error))
+        return _without_shared_ground(found)
 
     def plan(self, progress: Progress | None = None, planner: Planner | None = None) -> None:
         """Plan all pockets, by default with a process for every further core.
@@ -143,10 +133,10 @@ class Pockets:
         found = self.requests()
         whole = [each.whole for each in found if each.whole is not None]
         outcomes = iter(self._all_outcomes(whole, progress, planner or plan_together))
-        for each, label in zip(found, self.labels, strict=True):
+        for each in found:
             outcome = each.wanted if each.whole is None else next(outcomes)
             if isinstance(outcome, SpiralPocketError):
-                self._failures.append((label, outcome))
+                self._failures.append((each.label, outcome))
             else:
                 self._take(each, outcome, found)
 
@@ -181,11 +171,6 @@ class Pockets:
     def errors(self) -> list[SpiralPocketError]:
         """Return what went wrong; an error that all pockets share names none of them."""
         return named(self._failures, len(self._selected))
-
-    @property
-    def labels(self) -> list[str]:
-        """Return what the user calls each selected floor."""
-        return [selection.label(model, ", ".join(names)) for model, names in self._selected]
 
     def notices(self) -> list[Notice]:
         """Return what the machinist should know, the pockets that failed first."""
@@ -271,9 +256,7 @@ class Pockets:
         return floors[key]
 
     def _request(
-        self,
-        floor: selection.Floor,
-        floors: Sequence[selection.Floor],
+        self, label: str, floor: selection.Floor, floors: Sequence[selection.Floor]
     ) -> Found:
         """Return the request for the pocket above a floor, one of those selected."""
         selection.check_stock(floor, self._obj, parent_job(self._obj).Stock.Shape.BoundBox)
@@ -299,7 +282,7 @@ class Pockets:
         kept_off = remarks.overhung(above.outline, fitted.pocket)
         if self._obj.UseRestMachining:
             fitted = rest.rest_of(fitted, self._obj, self._known)
-        return Found(floor, fitted, kept_off, above.are_others_inside, fitted)
+        return Found(label, floor, fitted, kept_off, above.are_others_inside, fitted)
 
     def _open_sides(self, floor: selection.Floor, sag: float) -> open_sides.OpenSides | None:
         """Return the floor's open sides if the cutter goes beyond them, else None."""
@@ -336,7 +319,7 @@ class Pockets:
 
     def _remarks_on(self, each: Found, among: Sequence[Found]) -> list[tuple[str, Notice]]:
         """Return what is to be told of one pocket, with its label, whatever comes of its plan."""
-        floor, _, kept_off, is_shared, wanted = each
+        _, floor, _, kept_off, is_shared, wanted = each
         if floor is None or wanted is None:
             return []
         found = remarks.setup(wanted, floor.z, self._obj)
@@ -358,6 +341,19 @@ class Pockets:
             others = [o.whole.pocket for o in among if o.whole and o is not each]
             found += remarks.ledges(wanted, others)
         return [(floor.label, notice) for notice in found]
+
+
+def _without_shared_ground(found: Sequence[Found]) -> list[Found]:
+    """Return what was found in the order in which it is cut, none where others have been."""
+    places = [i for i, each in enumerate(found) if each.whole is not None]
+    whole = [found[i].whole for i in places]
+    order = shared_ground.order(whole)
+    turned = dict(zip(places, (places[i] for i in order), strict=True))
+    wanted = iter(shared_ground.lowered([whole[i] for i in order]))
+    return [
+        each if each.whole is None else each._replace(wanted=next(wanted))
+        for each in (found[turned.get(i, i)] for i in range(len(found)))
+    ]
 
 
 def _is_cleared(outcome: Plan | SpiralPocketError) -> bool:
