@@ -20,7 +20,7 @@ from .interpreters import cores
 if TYPE_CHECKING:
     from shapely import Polygon
 
-    from ..engine.draft import Draft, Opening
+    from ..engine.draft import Draft, DraftOpening
     from ..engine.model import Plan, PocketRequest, Progress
     from ..trace import Areas, Trace
 
@@ -53,7 +53,7 @@ class Tasks:
 
     def __init__(self) -> None:
         # by the stock to leave, the first one found without another
-        self._openings: dict[Any, dict[float, list[Opening]]] = {}
+        self._openings: dict[Any, dict[float, list[DraftOpening]]] = {}
 
     def __getitem__(self, name: str) -> Callable[[Any, Progress], Any]:
         """Return the task of that name."""
@@ -65,7 +65,7 @@ class Tasks:
 
         return draft(request, self._opened(request))
 
-    def _opened(self, request: PocketRequest) -> list[Opening]:
+    def _opened(self, request: PocketRequest) -> list[DraftOpening]:
         """Return how a pocket is opened, as the last time if its walls have hardly moved."""
         from ..engine.draft import openings, reopened
 

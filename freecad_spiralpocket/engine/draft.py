@@ -42,7 +42,7 @@ ALONG_WALL = 0.03
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Opening:
+class DraftOpening:
     """How a region is opened; of use for other step-overs, depths and feeds too.
 
     Attributes
@@ -83,7 +83,7 @@ class Draft:
     z: float
 
 
-def openings(request: PocketRequest) -> list[Opening]:
+def openings(request: PocketRequest) -> list[DraftOpening]:
     """Return how each region of the pocket is opened in a draft.
 
     Raises
@@ -106,11 +106,11 @@ def openings(request: PocketRequest) -> list[Opening]:
         # stairs depend on the step-over, which a draft lets be dragged
         plain = start if start.plain is None else start.plain
         ring = shapely.get_coordinates(plain.ring)
-        found.append(Opening(start.name, plain.visited, start.omega, walls, ring))
+        found.append(DraftOpening(start.name, plain.visited, start.omega, walls, ring))
     return found
 
 
-def reopened(opened: list[Opening], request: PocketRequest) -> list[Opening] | None:
+def reopened(opened: list[DraftOpening], request: PocketRequest) -> list[DraftOpening] | None:
     """Return the same openings in walls that have moved a little, sooner than `openings`.
 
     None where the pocket has other regions now, or one of them cannot be opened like that.
@@ -124,7 +124,7 @@ def reopened(opened: list[Opening], request: PocketRequest) -> list[Opening] | N
     return None if None in moved else [opening for opening in moved if opening is not None]
 
 
-def _moved(opening: Opening, region: Polygon, request: PocketRequest) -> Opening | None:
+def _moved(opening: DraftOpening, region: Polygon, request: PocketRequest) -> DraftOpening | None:
     """Return an opening in a region with other walls."""
     kind = opening.kind
     if kind == "outline":
@@ -132,17 +132,17 @@ def _moved(opening: Opening, region: Polygon, request: PocketRequest) -> Opening
         if outline is None:
             return None
         ring = shapely.get_coordinates(outline.ring)
-        return Opening(kind, outline.visited, outline.omega, region, ring)
+        return DraftOpening(kind, outline.visited, outline.omega, region, ring)
     if kind == "island ring":
         start = island_ring(region, request)
         if start is None:
             return None
         ring = shapely.get_coordinates(start.ring)
-        return Opening(kind, start.visited, start.omega, start.omega, ring)
+        return DraftOpening(kind, start.visited, start.omega, start.omega, ring)
     visited = shapely.intersection(opening.visited, region)
     if not isinstance(visited, Polygon) or visited.is_empty:
         return None
-    return Opening(kind, oriented(visited), region, region, opening.ring)
+    return DraftOpening(kind, oriented(visited), region, region, opening.ring)
 
 
 def _drawn(request: PocketRequest) -> Level:
@@ -166,13 +166,13 @@ def _regions(request: PocketRequest) -> list[Polygon]:
     return [slim_region(mirrored(r) if is_mirrored else r) for r in regions]
 
 
-def draft(request: PocketRequest, opened: list[Opening] | None = None) -> Draft:
+def draft(request: PocketRequest, opened: list[DraftOpening] | None = None) -> Draft:
     """Return rough laps of a pocket.
 
     Parameters
     ----------
     request : PocketRequest
-    opened : list of Opening, optional
+    opened : list of DraftOpening, optional
         Those of the same pocket, cutter, stock and direction, where they are known.
 
     Raises
@@ -189,7 +189,7 @@ def draft(request: PocketRequest, opened: list[Opening] | None = None) -> Draft:
     return Draft(tuple(entries), tuple(laps), _drawn(request).bottom)
 
 
-def _laps(opening: Opening, rules: FrontRules) -> list[Floats]:
+def _laps(opening: DraftOpening, rules: FrontRules) -> list[Floats]:
     """Return the new parts of all fronts, the wall itself at last."""
     coarse = COARSE * rules.cutter_radius
     omega = shapely.simplify(opening.omega, coarse)

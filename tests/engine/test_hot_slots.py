@@ -34,7 +34,7 @@ from shapes import request as make_request
 
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
 from freecad_spiralpocket.engine.floor import FloorPath, Pass, Slot
-from freecad_spiralpocket.engine.heat.family import evened, family_of
+from freecad_spiralpocket.engine.heat.family import evenly_divided, family_of
 from freecad_spiralpocket.engine.heat.hot_slots import hot_slot
 from freecad_spiralpocket.engine.heat.isotherms import outer_room, rooms_at
 from freecad_spiralpocket.engine.model import Cutting, Plan, Strategy
@@ -169,8 +169,8 @@ def test_even_laps_are_the_same_on_a_finer_grid():
     request = make_request(TWO_ISLANDS)
     slot = hot_slot(region, medial_axis(region), request)
     family = family_of(region, request, 0.5, 0.0, slot)
-    coarse, room = evened(family, outer_room(family))
-    fine, finer_room = evened(family, outer_room(family), 2)
+    coarse, room = evenly_divided(family, outer_room(family))
+    fine, finer_room = evenly_divided(family, outer_room(family), 2)
     assert fine.field.spacing == coarse.field.spacing / 2
     (one,) = rooms_at(coarse, room, 0.5 * family.heat)
     (other,) = rooms_at(fine, finer_room, 0.5 * family.heat)

@@ -34,7 +34,7 @@ from freecad_spiralpocket.engine.numerics.graphs import (
 )
 from freecad_spiralpocket.engine.numerics.nearest import nearest
 from freecad_spiralpocket.engine.numerics.ragged import rows_of
-from freecad_spiralpocket.engine.shapes.polyline import locate
+from freecad_spiralpocket.engine.shapes.polyline import located_nearby
 from freecad_spiralpocket.engine.shapes.shaping import simplified_region
 
 RANDOM = np.random.default_rng(7)
@@ -152,7 +152,7 @@ def test_locate_is_the_nearest_place_on_a_line(chords, apart):
     points = (50 - apart) * np.column_stack([np.cos(along), np.sin(along)])
     points = points + 0.01 * RANDOM.normal(size=points.shape)
     expected = shapely.line_locate_point(line, shapely.points(points))
-    np.testing.assert_allclose(locate(line, points), expected, atol=1e-9)
+    np.testing.assert_allclose(located_nearby(line, points), expected, atol=1e-9)
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 9])

@@ -14,7 +14,7 @@ from shapes import DUMBBELL, L_SHAPE, SQUARE, request
 
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.growth.front_rules import FrontRules, engagement_step
-from freecad_spiralpocket.engine.growth.spiral import ends_of, spiral_through, without_air
+from freecad_spiralpocket.engine.growth.spiral import slim_ends_of, spiral_through, without_air
 from freecad_spiralpocket.engine.growth.strokes import strokes_between
 from freecad_spiralpocket.engine.model import Cutting, Strategy
 from freecad_spiralpocket.engine.opening import open_sides
@@ -157,7 +157,7 @@ def test_path_ends_where_nothing_is_left():
     stock = box(-20, -0.5, 20, 0.5)
     hole, lap = (stock.buffer(R + d).exterior.segmentize(0.5).coords for d in (0.1, -1.1))
     hole, lap = closed_line(hole[:-1]), closed_line(lap[:-1])
-    path = spiral_through(hole, ends_of(hole, lap, R, 2.4)[0], [lap], R)
+    path = spiral_through(hole, slim_ends_of(hole, lap, R, 2.4)[0], [lap], R)
     trimmed = without_air(path, stock, R)
     assert LineString(trimmed).length < 0.8 * LineString(path).length
     assert stock.difference(LineString(trimmed).buffer(R, quad_segs=32)).area < 2e-3

@@ -31,7 +31,7 @@ from .gaps import Gaps, standing
 from .levels_alike import find_twins
 from .neighbors import Neighbors, neighborhoods
 from .rim import cleared_intervals
-from .sampling import Samples, between, merge_order, merged, take_samples
+from .sampling import Samples, merge_order, merged, samples_between, take_samples
 from .swept import Pieces, cut_into_pieces
 
 #: Largest distance of samples, in cutter radii.
@@ -143,7 +143,7 @@ def along_path(
     measured = _measure(samples, pieces, cutter_radius, axial_depth, top, stock)
     for halving in range(1, HALVINGS + 1):
         apart = 0.75 * spacing / 2**halving
-        more = between(pieces, samples, measured[0], cutter_radius, JUMP, apart)
+        more = samples_between(pieces, samples, measured[0], cutter_radius, JUMP, apart)
         added = _measure(more, pieces, cutter_radius, axial_depth, top, stock)
         order = merge_order(samples, more)
         samples = merged(samples, more, order)

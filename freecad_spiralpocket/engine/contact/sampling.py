@@ -2,7 +2,7 @@
 """Where along a toolpath its engagement is measured.
 
 Evenly along the path, at both sides of every kink (where the leading half of the rim
-turns at once) and at both ends of every unbroken run. `between` adds samples where
+turns at once) and at both ends of every unbroken run. `samples_between` adds samples where
 the measured values still jump.
 """
 
@@ -100,7 +100,7 @@ def _breaks(
     return kink | apart | ramp | (following != here + 1)
 
 
-def between(
+def samples_between(
     pieces: Pieces,
     samples: Samples,
     values: Floats,

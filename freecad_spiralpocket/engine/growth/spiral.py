@@ -20,7 +20,7 @@ from ..numerics.distinct import distinct
 from ..numerics.filters import evened, highest
 from ..numerics.nearest import nearest
 from ..shapes.points import distances_along
-from ..shapes.polyline import locate, points_at
+from ..shapes.polyline import located_nearby, points_at
 from ..shapes.shaping import Region, rim_points
 from .strokes import CHORD, Stroke
 
@@ -92,7 +92,7 @@ def blend(lap: LineString, start: float, target: LineString, length: float) -> F
     count = max(4, int(np.ceil(length / FINE_CHORD)))
     u = np.linspace(0.0, 1.0, count + 1)
     source = points_at(lap, (start + u * length) % lap.length)
-    across = locate(target, source)
+    across = located_nearby(target, source)
     # the nearest point jumps at every vertex of the chords that stand for a curve
     across = np.unwrap(across, period=target.length)
     across = evened(across, EVEN / FINE_CHORD)
@@ -180,7 +180,7 @@ def anywhere(lap: LineString, target: LineString, radius: float, widest: float) 
     return starts[np.round(wide, 3) <= widest]
 
 
-def ends_of(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
+def slim_ends_of(lap: LineString, target: LineString, radius: float, widest: float) -> Floats:
     """Return where to leave `lap` for a slim `target`, so that one side of that is cut first [mm].
 
     Then hardly anything is left for the way back. Shape (2,) at most, empty where it is not slim,

@@ -20,10 +20,10 @@ from ..shapes.shaping import Region, grow_coarsely
 from .spiral import (
     anywhere,
     chains_of,
-    ends_of,
     gaps,
     gaps_all_round,
     onward,
+    slim_ends_of,
     spiral_through,
     without_air,
     zone_length,
@@ -202,7 +202,7 @@ class _Spirals:
         source = sides[int(shapely.STRtree(sides).query_nearest(lap, all_matches=False)[0])]
         if first.exterior:
             return source, zones(source, lap, size, widest), 0
-        at = ends_of(source, lap, size, widest)
+        at = slim_ends_of(source, lap, size, widest)
         if len(at) == 0:
             at = zones(source, lap, size, widest)
         others = anywhere(source, lap, size, widest)

@@ -75,7 +75,7 @@ class Family:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Room:
+class Enclosed:
     """What a lap encloses.
 
     Attributes
@@ -141,7 +141,7 @@ def family_of(
     return Family(field, _contours(field), rounded, request, deviation, hot, heat)
 
 
-def evened(family: Family, room: Room, finer: int = 1) -> tuple[Family, Room]:
+def evenly_divided(family: Family, room: Enclosed, finer: int = 1) -> tuple[Family, Enclosed]:
     """Return laps that divide the way from a room's lap to the hot slot inside of it evenly.
 
     Where the slot bends inwards the plate is as hot as the slot far off it, and isotherms are no
@@ -150,7 +150,7 @@ def evened(family: Family, room: Room, finer: int = 1) -> tuple[Family, Room]:
     Parameters
     ----------
     family : Family
-    room : Room
+    room : Enclosed
     finer : int, optional
         The grid has so many times as many rows and columns as that of the family.
     """
@@ -179,7 +179,7 @@ def evened(family: Family, room: Room, finer: int = 1) -> tuple[Family, Room]:
     inside[rows, columns] = from_lap > 0
     even = HeatField.of(field.origin, spacing, values, inside)
     one = replace(family, field=even, contours=_contours(even), is_even=True)
-    return one, Room(room.region, 0.0, inside, room.patches)
+    return one, Enclosed(room.region, 0.0, inside, room.patches)
 
 
 def _rounded(region: Polygon, fillet: float) -> Polygon:

@@ -25,7 +25,7 @@ from ..opening.entry import NARROWEST, NoRoomForHelixError, fit_helix_radius
 from ..opening.start import slot_bite
 from ..shapes.region import grow, polygons_of, widest_disc
 from ..shapes.shaping import SLIVER, largest
-from .family import Family, Room, distances, points_of
+from .family import Enclosed, Family, distances, points_of
 from .isotherms import isotherms
 from .nested import Lap
 
@@ -53,7 +53,7 @@ LONGEST = 6.0
 OVERLAPS, ROUNDINGS = (1.0, 0.6, 0.3), (0.3, 0.1, 0.03)
 
 
-def core_of(family: Family, room: Room) -> Lap | None:
+def core_of(family: Family, room: Enclosed) -> Lap | None:
     """Return how the innermost part of a room is opened; None if there are laps to come."""
     request, region = family.request, room.region
     radius = request.cutter_radius
@@ -81,7 +81,7 @@ def core_of(family: Family, room: Room) -> Lap | None:
     return Lap(region, room.level, (), Slot(ring[:-1], slot_bite(request)))
 
 
-def _core_in_slit(family: Family, room: Room, center: Floats) -> Lap:
+def _core_in_slit(family: Family, room: Enclosed, center: Floats) -> Lap:
     """Return a core in a place too narrow for a helix: a slot about all that is near by."""
     disc = _disc(center, IN_SLIT * family.request.cutter_radius)
     region = largest(shapely.intersection(family.region, disc))
@@ -121,7 +121,7 @@ def pays(family: Family, way: float) -> bool:
     return way / family.stepover > SLOT_PAYS * levels
 
 
-def core_share(family: Family, room: Room, share: float, hottest: float) -> float:
+def core_share(family: Family, room: Enclosed, share: float, hottest: float) -> float:
     """Return a share before `share` at which a core can be opened by a slot, or `share`.
 
     A step over the ridge would leave the ridge's summits, which are noise where it is level.
@@ -129,7 +129,7 @@ def core_share(family: Family, room: Room, share: float, hottest: float) -> floa
     Parameters
     ----------
     family : Family
-    room : Room
+    room : Enclosed
     share : float
         Of the way from the room's temperature to the hottest, in ``(0, 1)``.
     hottest : float
@@ -170,7 +170,7 @@ def core_share(family: Family, room: Room, share: float, hottest: float) -> floa
 
 def slots_for(
     family: Family,
-    room: Room,
+    room: Enclosed,
     rooms: list[Polygon],
     must_pay: bool,
     *,
@@ -184,7 +184,7 @@ def slots_for(
     Parameters
     ----------
     family : Family
-    room : Room
+    room : Enclosed
     rooms : list of shapely.Polygon
         Inside of it, as the next isotherm leaves them.
     must_pay : bool
@@ -213,7 +213,7 @@ def slots_for(
 
 
 def _slot_about(
-    family: Family, room: Room, piece: Polygon, roundings: Sequence[float]
+    family: Family, room: Enclosed, piece: Polygon, roundings: Sequence[float]
 ) -> Polygon | None:
     """Return a region to open by a slot that covers `piece` and meets the rooms beside it."""
     radius = family.request.cutter_radius

@@ -19,7 +19,7 @@ from ..model import Floats
 from ..shapes.points import signed_area
 from ..shapes.region import INSET, polygons_of
 from ..shapes.shaping import oriented
-from .family import Family, Room, points_of
+from .family import Enclosed, Family, points_of
 from .hermite_quartic import ClosedFit
 from .nested import SPACING, Mover
 from .poisson import HeatField
@@ -71,7 +71,7 @@ def _uphill(field: HeatField, points: Floats) -> Floats:
     return slope / np.maximum((slope**2).sum(axis=1), field.spacing**2)[:, None]
 
 
-def outer_room(family: Family) -> Room:
+def outer_room(family: Family) -> Enclosed:
     """Return the room within the wall, its lap a closed C2 curve where laps are refitted."""
     region, wall = family.region, family.region
     fence = shapely.buffer(region, INSET)
@@ -80,7 +80,7 @@ def outer_room(family: Family) -> Room:
         guess = round(region.length / WALL_PATCH)
         walls = (refitted(dense, INSET * share, guess)[0] for share in WALL_SHARES)
         wall = next((w for w in walls if w.is_valid and fence.covers(w)), region)
-    return Room(wall, 0.0, _nodes_of(family))
+    return Enclosed(wall, 0.0, _nodes_of(family))
 
 
 def _nodes_of(family: Family) -> NDArray[np.bool_]:
@@ -96,7 +96,7 @@ def _nodes_of(family: Family) -> NDArray[np.bool_]:
     return nodes
 
 
-def lines_at(family: Family, room: Room, level: float) -> list[Floats]:
+def lines_at(family: Family, room: Enclosed, level: float) -> list[Floats]:
     """Return the isotherms of a room at a temperature [mm2], as they come off the grid.
 
     Closed lines of shape (n, 2) each [mm]: counter-clockwise about what is hotter, clockwise about
@@ -112,7 +112,7 @@ def lines_at(family: Family, room: Room, level: float) -> list[Floats]:
     return found
 
 
-def isotherms(family: Family, room: Room, level: float) -> list[Polygon]:
+def isotherms(family: Family, room: Enclosed, level: float) -> list[Polygon]:
     """Return the parts of a room that are hotter than `level` [mm2], as they come off the grid."""
     shells: list[Floats] = []
     holes: list[Floats] = []
@@ -130,7 +130,7 @@ def isotherms(family: Family, room: Room, level: float) -> list[Polygon]:
     return [Polygon(shell, rings) for shell, rings in zip(shells, inner, strict=True)]
 
 
-def rooms_at(family: Family, room: Room, level: float) -> list[Room]:
+def rooms_at(family: Family, room: Enclosed, level: float) -> list[Enclosed]:
     """Return the rooms within the laps at `level` [mm2], laps refitted, the hottest last."""
     field = family.field
     rooms = []
@@ -141,7 +141,7 @@ def rooms_at(family: Family, room: Room, level: float) -> list[Room]:
         nodes = hotter if whole else _nodes_in(part, hotter, field)
         if nodes.any():
             lap, patches = _nested(family, part, room)
-            rooms.append(Room(lap, level, nodes, patches))
+            rooms.append(Enclosed(lap, level, nodes, patches))
     return sorted(rooms, key=lambda r: r.peak(field)[1])
 
 
@@ -155,7 +155,7 @@ def _nodes_in(part: Polygon, nodes: NDArray[np.bool_], field: HeatField) -> NDAr
     return found
 
 
-def _nested(family: Family, part: Polygon, room: Room) -> tuple[Polygon, int]:
+def _nested(family: Family, part: Polygon, room: Enclosed) -> tuple[Polygon, int]:
     """Return a lap refitted so that it keeps inside its room, and how many patches it has.
 
     Along ridges, and beside saddles, laps are closer than their deviation. There a lap takes the

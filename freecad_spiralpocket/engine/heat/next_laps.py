@@ -14,7 +14,7 @@ from shapely import Polygon
 
 from ..errors import NotYetError
 from ..model import Floats
-from .family import Family, Room, distances, from_lines, points_of
+from .family import Enclosed, Family, distances, from_lines, points_of
 from .isotherm_slots import core_share, pays, slots_for
 from .isotherms import isotherms, lines_at, rooms_at, slack
 from .nested import Lap
@@ -42,7 +42,7 @@ def holds(region: Polygon, hot: Polygon) -> bool:
     return bool(region.contains(hot.representative_point()))
 
 
-def rooms_about(family: Family, hot: Polygon, room: Room, points: Floats) -> list[Room]:
+def rooms_about(family: Family, hot: Polygon, room: Enclosed, points: Floats) -> list[Enclosed]:
     """Return the rooms inside of the next laps about the hot slot; none if these are no guide.
 
     `points` are those of the room's lap.
@@ -74,7 +74,7 @@ def rooms_about(family: Family, hot: Polygon, room: Room, points: Floats) -> lis
     return []
 
 
-def inner_rooms(family: Family, room: Room) -> tuple[list[Room], list[Lap]]:
+def inner_rooms(family: Family, room: Enclosed) -> tuple[list[Enclosed], list[Lap]]:
     """Return the rooms inside of the next laps, the hottest last, and slots for what they leave.
 
     Raises

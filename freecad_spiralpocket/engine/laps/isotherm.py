@@ -38,7 +38,7 @@ from shapely import Point, Polygon
 
 from ..errors import CutterDoesNotFitError, NotYetError
 from ..floor import FloorPath, Slot
-from ..heat.family import Family, Room, distances, evened, family_of, points_of
+from ..heat.family import Enclosed, Family, distances, evenly_divided, family_of, points_of
 from ..heat.hot_slots import hot_slot
 from ..heat.isotherm_slots import core_of
 from ..heat.isotherms import mover, outer_room
@@ -199,7 +199,7 @@ class _Effort:
             )
 
 
-def _lap(family: Family, room: Room, tick: Tick, effort: _Effort) -> Lap:
+def _lap(family: Family, room: Enclosed, tick: Tick, effort: _Effort) -> Lap:
     """Return the lap about a room, with all inside of it."""
     effort.laps += 1
     effort.spend(room.region.length, room.region.representative_point())
@@ -236,7 +236,7 @@ def _way_down(core: Lap, family: Family) -> float:
     return lift + request.axial_depth / math.tan(request.entry.helix_angle) + once
 
 
-def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Effort) -> Lap:
+def _lap_about(family: Family, hot: Polygon, room: Enclosed, tick: Tick, effort: _Effort) -> Lap:
     """Return the lap about a room that has the hot slot inside, with all inside of it.
 
     Raises
@@ -268,7 +268,7 @@ def _lap_about(family: Family, hot: Polygon, room: Room, tick: Tick, effort: _Ef
     return Lap(room.region, level, _evened_laps(family, room, tick, effort))
 
 
-def _evened_laps(family: Family, room: Room, tick: Tick, effort: _Effort) -> tuple[Lap, ...]:
+def _evened_laps(family: Family, room: Enclosed, tick: Tick, effort: _Effort) -> tuple[Lap, ...]:
     """Return the laps inside of a room's lap that divide the way to the hot slot evenly.
 
     Raises
@@ -279,7 +279,7 @@ def _evened_laps(family: Family, room: Room, tick: Tick, effort: _Effort) -> tup
     effort.length -= room.region.length  # it is counted once more
     laps, length, finer = effort.laps, effort.length, 1
     while True:
-        even, start = evened(family, room, finer)
+        even, start = evenly_divided(family, room, finer)
         effort.even = even.field
         try:
             return _lap(even, start, tick, effort).inner

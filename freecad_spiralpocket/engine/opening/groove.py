@@ -54,7 +54,7 @@ def groove_path(groove: Groove, down: Descent) -> Floats:
     ring = closed_line(groove.ring)
     tips = [0.0, *groove.tips, ring.length]
     feet = groove.feet  # behind each tip but the first and the last
-    rooms = rooms_of(groove, ring.length)
+    rooms = loop_rooms(groove, ring.length)
     first = count % 2  # an odd number of passes along a line begins at its far end
     pieces = []
     level = 0
@@ -83,7 +83,7 @@ def _flat(ring: LineString, start: float, end: float, z: float) -> Floats:
     return np.column_stack([points, np.full(len(points), z)])
 
 
-def rooms_of(groove: Groove, length: float) -> list[float]:
+def loop_rooms(groove: Groove, length: float) -> list[float]:
     """Return how far a loop may go on both sides of each tip, the ring's beginning first [mm].
 
     Up to near the foot of its branch, along a line up to near the other tip.

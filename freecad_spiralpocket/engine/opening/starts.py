@@ -39,7 +39,7 @@ from ..shapes.skeleton import (
 )
 from .branches import feet_between, lengthened, slim_ring, smoothed
 from .entry import NARROWEST, WIDEST, fit_helix_radius
-from .groove import rooms_of
+from .groove import loop_rooms
 from .islands import bridges_between, into_notches
 from .leaving import straightest
 from .start import Start, equal_bite, slot_bite
@@ -246,7 +246,7 @@ def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketReques
     others = sorted(ring.project(Point(t)) for t in np.delete(tips, first, axis=0))
     feet, trunk = feet_between(ring, others, axis, edges)
     groove = Groove(points, tuple(others), tuple(feet), trunk, slot_bite(request))
-    if min(rooms_of(groove, ring.length)) < LEAST_ROOM * request.cutter_radius:
+    if min(loop_rooms(groove, ring.length)) < LEAST_ROOM * request.cutter_radius:
         return None  # a tip at the foot of its own branch
     return Start("groove", visited, region, groove, ring)
 

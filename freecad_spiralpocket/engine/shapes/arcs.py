@@ -27,7 +27,7 @@ LONGEST = 1.01
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Pieces:
+class Fitted:
     """Lines and arcs from point to point of a polyline.
 
     Attributes
@@ -44,7 +44,7 @@ class Pieces:
     ccw: NDArray[np.bool_]
 
 
-def fit_arcs(points: Floats, tolerance: float, begins: NDArray[np.intp] | None = None) -> Pieces:
+def fit_arcs(points: Floats, tolerance: float, begins: NDArray[np.intp] | None = None) -> Fitted:
     """Fit lines and arcs to polylines.
 
     Parameters
@@ -78,7 +78,7 @@ def fit_arcs(points: Floats, tolerance: float, begins: NDArray[np.intp] | None =
         parity = 1 - parity
     real = ~is_first[bounds[1:]]
     _, centers, ccw = _fit(points, along, bounds[:-1][real], bounds[1:][real], tolerance)
-    return Pieces(bounds[1:][real], centers, ccw)
+    return Fitted(bounds[1:][real], centers, ccw)
 
 
 def _fit(

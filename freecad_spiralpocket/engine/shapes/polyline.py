@@ -44,7 +44,7 @@ def located(line: LineString, points: Floats) -> Floats:
     return np.cumsum(lengths)[which] - (1 - np.clip(share, 0.0, 1.0)) * lengths[which]
 
 
-def locate(line: LineString, points: Floats) -> Floats:
+def located_nearby(line: LineString, points: Floats) -> Floats:
     """Return how far along a line it is nearest to each of a row of points, shape (n,) [mm].
 
     Parameters
