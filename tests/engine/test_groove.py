@@ -10,7 +10,6 @@ import shapely
 from shapely import LineString, Polygon
 
 from freecad_spiralpocket.engine.floor import Descent, Groove
-from freecad_spiralpocket.engine.growth.spiral import between
 from freecad_spiralpocket.engine.opening.branches import (
     feet_between,
     lengthened,
@@ -18,7 +17,7 @@ from freecad_spiralpocket.engine.opening.branches import (
     smoothed,
 )
 from freecad_spiralpocket.engine.opening.groove import groove_levels, groove_path
-from freecad_spiralpocket.engine.shapes.polyline import points_at
+from freecad_spiralpocket.engine.shapes.polyline import between, points_at
 from freecad_spiralpocket.engine.shapes.skeleton import medial_axis, peel, without_spurs
 
 R = 3.0

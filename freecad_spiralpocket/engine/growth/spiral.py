@@ -20,7 +20,7 @@ from ..numerics.distinct import distinct
 from ..numerics.filters import evened, highest
 from ..numerics.nearest import nearest
 from ..shapes.points import distances_along
-from ..shapes.polyline import located_nearby, points_at
+from ..shapes.polyline import between, located_nearby, points_at
 from ..shapes.shaping import Region, rim_points
 from .strokes import CHORD, Stroke
 
@@ -65,26 +65,6 @@ def eased(u: Floats) -> Floats:
     rise = top * u * u / (2 * EASE)
     fall = 1 - top * (1 - u) ** 2 / (2 * EASE)
     return np.where(u < EASE, rise, np.where(u > 1 - EASE, fall, top * (u - EASE / 2)))
-
-
-def between(line: LineString, start: float, length: float) -> Floats:
-    """Return the points of a closed line from `start` on over `length`, shape (n, 2) [mm].
-
-    Both ends are among them.
-    """
-    coords = shapely.get_coordinates(line)
-    along = distances_along(coords)
-    total = float(along[-1])
-    turns = np.arange(-1, int(np.ceil(length / total)) + 2)
-    s = (along[:-1][None, :] + total * turns[:, None]).ravel()
-    points = np.tile(coords[:-1], (len(turns), 1))
-    start %= total
-    inner = (s > start + 1e-6) & (s < start + length - 1e-6)
-
-    def at(where: float) -> Floats:
-        return np.array([np.interp(where % total, along, coords[:, i]) for i in (0, 1)])
-
-    return np.vstack([at(start), points[inner], at(start + length)])
 
 
 def blend(lap: LineString, start: float, target: LineString, length: float) -> Floats:

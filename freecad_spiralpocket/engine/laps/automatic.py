@@ -24,7 +24,6 @@ from ..growth.corners import finish_corners, levels_from
 from ..growth.front_rules import WIDEST, FrontRules, rules_of
 from ..growth.fronts import MAX_FRONTS, without_idle_holes
 from ..growth.lap_width import STRETCH
-from ..growth.spiral import between
 from ..growth.stroke_runs import Run, runs_of
 from ..growth.strokes import Stroke, strokes_between, strokes_of
 from ..links.cleared import ClearedMap, pixel_of
@@ -49,6 +48,7 @@ from ..opening.slot_ends import well_ended
 from ..opening.start import Start
 from ..opening.starts import candidates
 from ..shapes.points import unit
+from ..shapes.polyline import between
 from ..shapes.shaping import grow_coarsely, largest, slim_region, thick_parts
 
 #: A start is given up that needs more levels than the first over the best, and than the second:

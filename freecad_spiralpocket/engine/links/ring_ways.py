@@ -10,11 +10,10 @@ import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
-from ..growth.spiral import between
 from ..model import Floats
 from ..shapes.drawing_near import drawn_to
 from ..shapes.points import distances_along
-from ..shapes.polyline import points_at
+from ..shapes.polyline import between, points_at
 from .cleared import ClearedMap
 from .routing import CHORD, LongWays
 

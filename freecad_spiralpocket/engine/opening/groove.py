@@ -17,10 +17,9 @@ import numpy as np
 from shapely import LineString
 
 from ..floor import Descent, Groove
-from ..growth.spiral import between
 from ..model import Floats
 from ..shapes.points import distances_along
-from ..shapes.polyline import closed_line
+from ..shapes.polyline import between, closed_line
 
 #: Chords of half a turn.
 CHORDS = 10

@@ -11,10 +11,9 @@ import shapely.ops
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
-from ..growth.spiral import between
 from ..model import Floats
 from ..shapes.drawing_near import drawn_to
-from ..shapes.polyline import located, points_at
+from ..shapes.polyline import between, located, points_at
 from ..shapes.region import polygons_of
 from ..shapes.shaping import CRACK, Region
 from .start import Start

@@ -24,9 +24,9 @@ from shapely import LineString, Point, Polygon
 
 from ..errors import CutterDoesNotFitError
 from ..floor import Groove, Helix, Slot
-from ..growth.spiral import BLEND, between
+from ..growth.spiral import BLEND
 from ..model import Floats, PocketRequest
-from ..shapes.polyline import closed_line
+from ..shapes.polyline import between, closed_line
 from ..shapes.shaping import SLIVER, grow_coarsely, largest, oriented
 from ..shapes.skeleton import (
     Edges,

@@ -16,12 +16,12 @@ from shapely import Polygon
 from ..floor import Descent, Slot
 from ..growth.front_rules import rules_of
 from ..growth.fronts import FLAT, fronts_from
-from ..growth.spiral import BLEND, between
+from ..growth.spiral import BLEND
 from ..growth.stroke_runs import begins_on
 from ..growth.strokes import strokes_of
 from ..model import Floats, PocketRequest
 from ..shapes.points import distances_along
-from ..shapes.polyline import closed_line, located, points_at
+from ..shapes.polyline import between, closed_line, located, points_at
 from ..shapes.shaping import grow_coarsely, largest, oriented, simplified_region
 from ..shapes.skeleton import Skeleton
 from .leaving import STRAIGHT, bends

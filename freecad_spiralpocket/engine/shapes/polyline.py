@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Vectorised polyline maths: where a ring begins, even samples, simplification."""
+"""Vectorised polyline maths: where a ring begins, parts of it, even samples, simplification."""
 
 from __future__ import annotations
 
@@ -21,6 +21,26 @@ def points_at(line: LineString, at: Floats) -> Floats:
     coords = shapely.get_coordinates(line)
     along = distances_along(coords)
     return np.stack([np.interp(at, along, coords[:, i]) for i in (0, 1)], axis=-1)
+
+
+def between(line: LineString, start: float, length: float) -> Floats:
+    """Return the points of a closed line from `start` on over `length`, shape (n, 2) [mm].
+
+    Both ends are among them.
+    """
+    coords = shapely.get_coordinates(line)
+    along = distances_along(coords)
+    total = float(along[-1])
+    turns = np.arange(-1, int(np.ceil(length / total)) + 2)
+    s = (along[:-1][None, :] + total * turns[:, None]).ravel()
+    points = np.tile(coords[:-1], (len(turns), 1))
+    start %= total
+    inner = (s > start + 1e-6) & (s < start + length - 1e-6)
+
+    def at(where: float) -> Floats:
+        return np.array([np.interp(where % total, along, coords[:, i]) for i in (0, 1)])
+
+    return np.vstack([at(start), points[inner], at(start + length)])
 
 
 def ring_samples(ring: shapely.LinearRing, spacing: float, fewest: int = 16) -> Floats:
