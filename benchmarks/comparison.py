@@ -153,7 +153,7 @@ def computed(create: Any, pattern: str, job: Any, requests: dict[str, PocketRequ
         if pattern:
             setattr(op, next(n for n in PATTERNS if hasattr(op, n)), pattern)
         job.Document.recompute()
-        path = report._from_operation(op).toolpath
+        path = report.from_operation(op).toolpath
         job.Document.removeObject(op.Name)
         found.append(Plan(request, path, prove(request, path)))
     return found

@@ -65,14 +65,14 @@ def draw(kept: dict[str, list[Plan]], target: Path) -> int:
 
 def draw_pocket(axes: Any, plan: Plan, norm: Any) -> None:
     """Draw one pocket: what is cut in color, rapids at depth dashed, what stays in red."""
-    picture._draw_pocket(axes, plan)
-    picture._draw_moves(axes, plan)
+    picture.draw_pocket(axes, plan)
+    picture.draw_moves(axes, plan)
     path = plan.toolpath
     low = path.points[:, 2] < path.points[:, 2].min() + picture.SAME_HEIGHT
     for i in np.flatnonzero(low & (path.kinds == Kind.RAPID)):
         both = np.vstack([path.starts[i, :2], path.points[i, :2]])
         axes.plot(*both.T, color=picture.RAPID_COLOR, lw=0.6, ls="--")
-    segments, angles = picture._colored(plan)
+    segments, angles = picture.measured_stretches(plan)
     lines = LineCollection(segments, cmap=picture.COLOR_MAP, norm=norm, lw=1.0, zorder=4)
     lines.set_array(np.degrees(angles))
     axes.add_collection(lines)

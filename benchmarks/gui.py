@@ -92,10 +92,10 @@ class Window:
         """Return whether all pockets of the newest request are in the 3D view."""
         outlook, preview = self.page.outlook, self.page.preview
         return (
-            not outlook._soon.isActive()
+            not outlook.is_behind
             and bool(outlook.pockets)
-            and all(p in preview._items for p in outlook.pockets)
-            and len(preview._items) == len(outlook.pockets)
+            and all(p in preview.items for p in outlook.pockets)
+            and len(preview.items) == len(outlook.pockets)
         )
 
     def change(self, name, value):
@@ -161,7 +161,7 @@ def stops():
     widget("stepOverPercent").setValue(LONG)
     found = []
     for stage in STAGES:
-        lanes._proved.clear()
+        lanes.proved.clear()
         stop = Stop(stage)
         window.page.obj.touch()
         panel().compute()

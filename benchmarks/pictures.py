@@ -160,7 +160,7 @@ def page():
 
 def compared():
     """Return whether all strategies are there or told why not."""
-    return all(card._job is None or card._job.is_done for card in page().compare.window.cards)
+    return all(card.job is None or card.job.is_done for card in page().compare.window.cards)
 
 
 def take(pictures):
@@ -173,7 +173,7 @@ def take(pictures):
     show_from_top(page().preview.box)
     pictures.whole("preview")
     widget("stepOverPercent").setValue(30)
-    wait_for(lambda: all(isinstance(i, DraftItem) for i in page().preview._items.values()), 20)
+    wait_for(lambda: all(isinstance(i, DraftItem) for i in page().preview.items.values()), 20)
     pictures.whole("draft")
     widget("stepOverPercent").setValue(40)
     wait_for(is_settled, 200)

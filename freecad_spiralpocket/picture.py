@@ -75,8 +75,8 @@ def draw(plans: Sequence[Plan], path: str | os.PathLike[str], title: str = "") -
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     for plan in plans:
-        _draw_pocket(axes, plan)
-        _draw_moves(axes, plan)
+        draw_pocket(axes, plan)
+        draw_moves(axes, plan)
     _draw_rapids(axes, plans)
     _draw_engagement(figure, axes, plans)
     _finish(axes, title)
@@ -98,7 +98,8 @@ def _size(plans: Sequence[Plan]) -> tuple[float, float]:
     return max(8.0, width * scale + 2.0), max(4.0, height * scale + 1.2)
 
 
-def _draw_pocket(axes: Axes, plan: Plan) -> None:
+def draw_pocket(axes: Axes, plan: Plan) -> None:
+    """Draw what is around the path: walls, air beside the stock, islands, what stays uncut."""
     pocket, mouth = plan.request.pocket, _mouth(plan)
     axes.fill(*np.array(mouth.exterior.coords).T, facecolor=SLOPE, edgecolor=OUTLINE, lw=0.6)
     axes.fill(*np.array(pocket.exterior.coords).T, facecolor=WALL, edgecolor=OUTLINE, lw=1.2)
@@ -120,7 +121,7 @@ def _mouth(plan: Plan) -> Polygon:
     return (sections[0].mouth or sections[0].pocket) if sections else plan.request.pocket
 
 
-def _draw_moves(axes: Axes, plan: Plan) -> None:
+def draw_moves(axes: Axes, plan: Plan) -> None:
     """Draw entries, links, and below the colored path what cuts nothing."""
     roles, heights, level = plan.toolpath.roles, plan.toolpath.points[:, 2], _shown(plan)
     deepest = np.abs(heights - level.bottom) < SAME_HEIGHT
@@ -186,7 +187,7 @@ def _draw_engagement(figure: Figure, axes: Axes, plans: Sequence[Plan]) -> None:
     from matplotlib.collections import LineCollection
     from matplotlib.colors import Normalize
 
-    parts = [_colored(p) for p in plans]
+    parts = [measured_stretches(p) for p in plans]
     segments = np.concatenate([s for s, _ in parts])
     angles = np.degrees(np.concatenate([a for _, a in parts]))
     limit = np.degrees(max(p.report.engagement_limit for p in plans))
@@ -203,7 +204,7 @@ def _draw_engagement(figure: Figure, axes: Axes, plans: Sequence[Plan]) -> None:
     beside.set_title(f"limit {limit:.0f}", fontsize=9)
 
 
-def _colored(plan: Plan) -> tuple[Any, Any]:
+def measured_stretches(plan: Plan) -> tuple[Any, Any]:
     """Return the stretches between measured places on the lowest level and their angles."""
     points, angles = plan.report.engagement_points, plan.report.engagement_angles
     if len(points) < 2:

@@ -43,7 +43,7 @@ figure{margin:1.5em 0}figcaption{color:#555}"""
 
 
 @dataclass(frozen=True)
-class _Source:
+class Source:
     """A toolpath and what its file says about it; None where it says nothing."""
 
     toolpath: Toolpath
@@ -188,7 +188,7 @@ def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
     if source.diameter is None:
         raise RequestError("The program does not say how wide the cutter is.", "Give --tool.")
     top = source.top or 0.0
-    depth = source.axial_depth or _step_down(source.toolpath, top)
+    depth = source.axial_depth or step_down_of(source.toolpath, top)
     if not depth > 0:
         raise RequestError("The program never goes below the top of the stock.", "Give --top.")
     limit = np.nan
@@ -207,7 +207,7 @@ def _study(args: argparse.Namespace) -> tuple[Toolpath, Setup]:
     )
 
 
-def _step_down(toolpath: Toolpath, top: float) -> float:
+def step_down_of(toolpath: Toolpath, top: float) -> float:
     """Return how far the levels of a program are apart at most, from the stock's top on [mm].
 
     A level is what the cutter goes along for a good part of the longest one. The whole depth where
@@ -224,15 +224,15 @@ def _step_down(toolpath: Toolpath, top: float) -> float:
     return float(-np.diff([top, *heights[::-1]]).min())
 
 
-def _from_program(path: Path) -> _Source:
+def _from_program(path: Path) -> Source:
     """Return what a G-code file says."""
     text = path.read_text(encoding="utf-8", errors="replace")
     speeds = [float(s) for s in re.findall(r"\bS(\d+\.?\d*)", text)]
     spindle = max(speeds, default=0.0)
-    return _Source(gcode.parse_program(text), spindle_speed=spindle / 60 or None)
+    return Source(gcode.parse_program(text), spindle_speed=spindle / 60 or None)
 
 
-def _from_document(path: Path, label: str | None) -> _Source:
+def _from_document(path: Path, label: str | None) -> Source:
     """Return what an operation in a FreeCAD document says."""
     try:
         import FreeCAD
@@ -243,7 +243,7 @@ def _from_document(path: Path, label: str | None) -> _Source:
         ) from error
     document = FreeCAD.openDocument(str(path.resolve()), True)
     try:
-        return _from_operation(_find_operation(document, label))
+        return from_operation(_find_operation(document, label))
     finally:
         FreeCAD.closeDocument(document.Name)
 
@@ -262,7 +262,7 @@ def _find_operation(document: Any, label: str | None) -> Any:
     return operations[0]
 
 
-def _from_operation(op: Any) -> _Source:
+def from_operation(op: Any) -> Source:
     """Return what an operation says."""
     lines = []
     for command in op.Path.Commands:
@@ -273,7 +273,7 @@ def _from_operation(op: Any) -> _Source:
     diameter = float(op.ToolController.Tool.Diameter)
     start, final = op.StartDepth.Value, op.FinalDepth.Value
     step_down = op.StepDown.Value if hasattr(op, "StepDown") else start - final
-    return _Source(
+    return Source(
         gcode.parse_program("\n".join(lines)),
         diameter=diameter,
         spindle_speed=float(op.ToolController.SpindleSpeed) / 60 or None,

@@ -80,7 +80,7 @@ def test_depth_of_a_full_cut_is_how_far_levels_are_apart(levels, step):
     cuts = "".join(f"G1 Z{z} F300\n{lap}" for z in levels)
     # short loops on the way down, as a slot has, are no levels
     path = parse_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-0.5 F300\nG1 X20 F1200\nG1 X0\n{cuts}G0 Z5\n")
-    assert report._step_down(path, 0.0) == pytest.approx(step)
+    assert report.step_down_of(path, 0.0) == pytest.approx(step)
 
 
 def test_program_without_a_tool_asks_for_it(program, capsys):

@@ -172,9 +172,9 @@ def test_picked_strategy_is_set_and_its_path_is_known(compared):
 
 
 def test_closing_ends_the_work(opened):
-    lanes._proved.clear()
+    lanes.proved.clear()
     page().compare.button.click()
-    jobs = [c._job for c in cards() if c._job is not None]
+    jobs = [c.job for c in cards() if c.job is not None]
     assert len(jobs) == len(Strategy) + 1
     page().compare.window.dialog.reject()
     pump()

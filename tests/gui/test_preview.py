@@ -44,7 +44,7 @@ def outlook():
 
 def items():
     """Return what the preview shows."""
-    return list(preview()._items.values())
+    return list(preview().items.values())
 
 
 def settle():
@@ -68,7 +68,7 @@ def nodes(document, name=NAME):
 @pytest.fixture
 def opened(job, floor):
     """Return a new operation with its panel open and its path proved."""
-    lanes._proved.clear()
+    lanes.proved.clear()
     select(floor)
     press_toolbar_button()
     FreeCADGui.Selection.clearSelection()
@@ -189,7 +189,7 @@ def test_nothing_is_left_in_the_view(doc, opened, button):
 
 def test_dialog_that_others_close_takes_its_timers_along(doc, opened):
     widget("stepOverPercent").setValue(34)
-    wait_for(lambda: outlook()._soon.isActive() or outlook()._quiet.isActive())
+    wait_for(lambda: not outlook().is_settled)
     FreeCADGui.Control.closeDialog()
     time.sleep(1)  # all are due now
     pump(0.3)
@@ -234,17 +234,17 @@ def test_copies_are_proved_once_and_drawn_each(doc):
         solid = solid.cut(Part.makeBox(34, 28, 6, Vector(x, 4, -6)))
     job = add_job(doc, solid, diameter=6.0)
     part = doc.getObject("Part")
-    lanes._proved.clear()
+    lanes.proved.clear()
     select(*((part, name) for name in floors(part, -6.0)))
     press_toolbar_button()
     settle()
-    assert len(lanes._proved) == 1
+    assert len(lanes.proved) == 1
     assert [type(i) for i in items()] == [PathItem, PathItem]
     one, other = outlook().plans
     apart = other.toolpath.points - one.toolpath.points
     assert abs(abs(apart[:, 0]) - 40).max() < 1e-6 and abs(apart[:, 1:]).max() < 1e-6
     press(OK)
     (made,) = job.Operations.Group
-    assert len(lanes._proved) == 1
+    assert len(lanes.proved) == 1
     for plan, seen in zip(made.Proxy.plans, (one, other), strict=True):
         assert abs(plan.toolpath.points - seen.toolpath.points).max() == 0

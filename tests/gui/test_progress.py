@@ -69,7 +69,7 @@ def worker(request, monkeypatch):
     if request.param == "thread":
         monkeypatch.setattr(workers.Interpreters, "left", [])
     monkeypatch.setattr(lanes, "proofs", lane.Lane(1))
-    monkeypatch.setattr(lanes, "_proved", {})
+    monkeypatch.setattr(lanes, "proved", {})
     yield request.param
     lanes.proofs.close()
 
@@ -164,7 +164,7 @@ def test_path_is_the_same_wherever_it_is_planned(job, floor, monkeypatch):
         else:
             monkeypatch.undo()
             monkeypatch.setattr(lanes, "proofs", lane.Lane(1))
-            monkeypatch.setattr(lanes, "_proved", {})
+            monkeypatch.setattr(lanes, "proved", {})
             if planner == "thread":
                 monkeypatch.setattr(workers.Interpreters, "left", [])
         select(floor)

@@ -142,7 +142,7 @@ def test_click_on_a_remark_brings_the_view_to_its_place(narrow):
 
 
 def test_first_line_says_how_far_the_planning_is(job, floor, monkeypatch):
-    monkeypatch.setattr(lanes, "_proved", {})
+    monkeypatch.setattr(lanes, "proved", {})
     select(floor)
     press_toolbar_button()
     widget("stepOverPercent").setValue(4)

@@ -86,7 +86,7 @@ def test_the_engine_speaks_german_in_the_window(german):
     )
 
 
-@pytest.mark.parametrize("template", [t for t, _ in module._patterns()])
+@pytest.mark.parametrize("template", [t for t, _ in module.patterns()])
 def test_every_sentence_is_recognized_with_its_figures(marked, template):
     figures = iter(["12.5", "7", "0.25", "3.0"])
     sentence = module._PLACE.sub(
@@ -181,7 +181,7 @@ def test_sentences_one_after_the_other_are_all_recognized(marked):
     assert localized(f"Unknown words. {first}") == f"Unknown words. «{first}»"
 
 
-@pytest.mark.parametrize("template", [t for t, _ in module._patterns() if t.endswith(".")])
+@pytest.mark.parametrize("template", [t for t, _ in module.patterns() if t.endswith(".")])
 def test_every_sentence_is_recognized_before_and_after_another(marked, template):
     figures = iter(["12.5", "7", "0.25", "3.0"])
     sentence = module._PLACE.sub(

@@ -28,7 +28,13 @@ PICTURE = QtCore.QSize(250, 170)
 
 
 class Card:
-    """One way to cut the pocket: picture, figures, and a button to take it."""
+    """One way to cut the pocket: picture, figures, and a button to take it.
+
+    Attributes
+    ----------
+    job : Job or None
+        Which plans it; None where that is known.
+    """
 
     def __init__(
         self,
@@ -42,7 +48,7 @@ class Card:
         self.seconds: float | None = None
         self.is_sound = False
         self._task, self._request, self._changed = task, request, changed
-        self._job: Job | None = None
+        self.job: Job | None = None
         self.frame = QtGui.QFrame()
         self.frame.setFrameShape(QtGui.QFrame.StyledPanel)
         self._title, self.picture, self.text = QtGui.QLabel(), QtGui.QLabel(), QtGui.QLabel()
@@ -73,9 +79,9 @@ class Card:
             self._show(known)
             return
         submit = lanes.prove if is_plan else lambda r: lanes.proofs.submit(self._task, r)
-        self._job = submit(self._request)
-        self._job.listeners.append(self._hear)
-        self._hear(self._job)
+        self.job = submit(self._request)
+        self.job.listeners.append(self._hear)
+        self._hear(self.job)
 
     def emphasize(self, fastest: bool) -> None:
         """Write the name, of the fastest with a star."""
@@ -92,9 +98,9 @@ class Card:
 
     def close(self) -> None:
         """Give the job up."""
-        if self._job is not None:
-            self._job.listeners.remove(self._hear)
-            lanes.proofs.give_up(self._job)
+        if self.job is not None:
+            self.job.listeners.remove(self._hear)
+            lanes.proofs.give_up(self.job)
         self.frame.deleteLater()
 
     def _hear(self, job: Job) -> None:

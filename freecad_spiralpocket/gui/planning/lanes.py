@@ -29,14 +29,15 @@ WAIT = 20  # ms, how long Stop may go unheard
 drafts = Lane(DRAFTERS)
 proofs = Lane(PROVERS, is_patient=True)
 
-_proved: dict[PocketRequest, Drawn | SpiralPocketError] = {}
+#: What came of requests, the newest last.
+proved: dict[PocketRequest, Drawn | SpiralPocketError] = {}
 
 
 def known(request: PocketRequest) -> Drawn | SpiralPocketError | None:
     """Return what is known of a request: its plan, why there is none, or None."""
-    outcome = _proved.pop(request, None)
+    outcome = proved.pop(request, None)
     if outcome is not None:
-        _proved[request] = outcome  # as the newest
+        proved[request] = outcome  # as the newest
     return outcome
 
 
@@ -51,9 +52,9 @@ def prove(request: PocketRequest) -> Job:
 def _keep(job: Job) -> None:
     outcome = job.error or job.result
     if job.is_done and outcome is not None:
-        _proved[job.argument] = outcome
-        for old in list(_proved)[:-KEPT]:
-            del _proved[old]
+        proved[job.argument] = outcome
+        for old in list(proved)[:-KEPT]:
+            del proved[old]
 
 
 def plan_all(

@@ -93,7 +93,7 @@ class Outlook:
     def computed(self) -> None:
         """Look again at once; after Stop nothing goes on until the next change."""
         self.changed()
-        if self._soon.isActive():  # a message box may follow, behind which nothing old must stand
+        if self.is_behind:  # a message box may follow, behind which nothing old must stand
             self._soon.stop()
             self._look()
         self.is_stopped = was_stopped(self._obj)
@@ -153,6 +153,11 @@ class Outlook:
     def fraction(self) -> float:
         """Return the share of the proofs that is done."""
         return sum(p.fraction for p in self.pockets) / max(1, len(self.pockets))
+
+    @property
+    def is_behind(self) -> bool:
+        """Return whether a change has not been looked at yet."""
+        return self._soon.isActive()
 
     @property
     def is_settled(self) -> bool:

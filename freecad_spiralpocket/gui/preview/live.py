@@ -33,12 +33,19 @@ LIVE = "Live"
 
 
 class Preview:
-    """An extra of the panel."""
+    """An extra of the panel.
+
+    Attributes
+    ----------
+    items : dict of DraftItem or PathItem
+        What is drawn, by the pocket.
+    box : PreviewBox
+    """
 
     def __init__(self, page: Any) -> None:
         self._obj, self._outlook = page.obj, Outlook.of(page)
         self._scene = Scene(page.obj.ViewObject)
-        self._items: dict[Pocket, Any] = {}
+        self.items: dict[Pocket, Any] = {}
         self._scale = Scale("engagement", 180.0)
         self.box = PreviewBox(self._switch, self._color, self._play)
         self.box.live.setChecked(preferences.read(LIVE, True))
@@ -58,7 +65,7 @@ class Preview:
     def close(self) -> None:
         """Take the preview off the part; the widgets may be gone already."""
         self._scene.close()
-        self._items.clear()
+        self.items.clear()
 
     def point_at(self, seconds: float | None) -> None:
         """Show the cutter where it is at a time of the whole cut [s], None for nowhere."""
@@ -80,7 +87,7 @@ class Preview:
         scale = self._wanted_scale()
         recolored, self._scale = scale != self._scale, scale
         waits = any(not (p.is_drafted or p.is_settled) for p in pockets)
-        kept = {p: item for p, item in self._items.items() if waits or p in pockets}
+        kept = {p: item for p, item in self.items.items() if waits or p in pockets}
         for pocket in pockets:
             item = kept.get(pocket)
             if pocket.drawn is not None and not isinstance(item, PathItem):
@@ -91,8 +98,8 @@ class Preview:
                 kept[pocket] = DraftItem(pocket.draft)
             elif recolored and isinstance(item, PathItem):
                 item.color(scale)
-        if list(kept.items()) != list(self._items.items()):
-            self._items = kept
+        if list(kept.items()) != list(self.items.items()):
+            self.items = kept
             self._scene.show(list(kept.values()))
             self._play(self.box.share)
         self.box.bar.set_scale(scale)
@@ -149,7 +156,7 @@ class Preview:
         plans = [d.plan for d in self._drawn()]
         seconds = share * machining_time(plans)
         for pocket, begin in zip(pockets, start_times(plans), strict=True):
-            item = self._items.get(pocket)
+            item = self.items.get(pocket)
             if isinstance(item, PathItem):
                 item.play(seconds - begin if share < 1 else np.inf)
         self.point_at(seconds if share < 1 and plans else None)

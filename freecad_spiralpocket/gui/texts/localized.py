@@ -125,7 +125,7 @@ def _freecads_labels() -> dict[str, str]:
 def localized(text: str) -> str:
     """Return what the engine says in the user's language, as far as it is recognized."""
     lead, text = text[: len(text) - len(text.lstrip())], text.strip()
-    for template, pattern in _patterns():
+    for template, pattern in patterns():
         match = pattern.match(text)
         if match:
             figures = [_figure(figure) for figure in match.groups()]
@@ -149,7 +149,7 @@ def _filled(translated: str, template: str, figures: list[str]) -> str:
 
 
 @cache
-def _patterns() -> list[tuple[str, re.Pattern[str]]]:
+def patterns() -> list[tuple[str, re.Pattern[str]]]:
     """Return templates and what matches them, those with the most words of their own first."""
     file = RESOURCES / "translations" / "messages.json"
     templates = [*json.loads(file.read_text(encoding="utf-8")), *PHRASES]
