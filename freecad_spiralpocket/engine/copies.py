@@ -21,6 +21,7 @@ from .errors import Place, SpiralPocketError
 from .machine import machine_of
 from .model import Floats, Plan, PocketRequest
 from .motion.timing import time_of
+from .shapes.points import wrapped
 
 #: Outlines of copies are nowhere farther apart [mm]: FreeCAD's own precision is 1e-7.
 SAME = 1e-6
@@ -163,7 +164,7 @@ def _ways(shape: Polygon, other: Polygon) -> Iterator[Displacement]:
     far = int(np.argmax(lengths))
     alike = np.abs(reaches - lengths[far]) < 4 * SAME
     turns = np.arctan2(*others[alike].T[::-1]) - math.atan2(arms[far, 1], arms[far, 0])
-    turns = np.mod(turns + np.pi, 2 * np.pi) - np.pi
+    turns = wrapped(turns)
     for turn in sorted(turns.tolist(), key=abs)[:TURNS]:
         c, s = math.cos(turn), math.sin(turn)
         x, y = there - (c * here[0] - s * here[1], s * here[0] + c * here[1])

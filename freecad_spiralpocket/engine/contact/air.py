@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from ..levels import Level
 from ..model import Floats
+from ..shapes.points import cross
 from ..shapes.shaping import Region, edges_of
 from .swept import SAME_HEIGHT
 
@@ -145,8 +146,7 @@ def _crossings(
     square = (ahead**2).sum(axis=1)
     middle = -(ahead * off).sum(axis=1) / square
     # twice the triangle of center and line, over its length, is the distance of the line
-    cross = ahead[:, 0] * off[:, 1] - ahead[:, 1] * off[:, 0]
-    half = np.sqrt(np.maximum(r**2 - cross**2 / square, 0.0) / square)
+    half = np.sqrt(np.maximum(r**2 - cross(ahead, off) ** 2 / square, 0.0) / square)
     pairs, angles = [], []
     for share in (middle - half, middle + half):
         on = np.flatnonzero((share >= 0) & (share <= 1) & (half > 0))

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import Floats
+from ..shapes.points import cross
 from .swept import Pieces
 
 
@@ -42,8 +43,7 @@ def segment_to_segment(a: Floats, b: Floats, c: Floats, d: Floats) -> Floats:
 
 
 def _side(a: Floats, b: Floats, p: Floats) -> Floats:
-    u, v = b - a, p - a
-    return u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    return cross(b - a, p - a)
 
 
 def arc_to_segment(pieces: Pieces, index: NDArray[np.int64], a: Floats, b: Floats) -> Floats:

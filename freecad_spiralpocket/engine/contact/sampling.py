@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ..model import Floats
 from ..numerics.ragged import rows_of
+from ..shapes.points import wrapped
 from .swept import Pieces
 
 #: A turn between two pieces above this is a kink [rad].
@@ -93,7 +94,7 @@ def _breaks(
     """Return where a run ends between a piece and the next one that moves in the plane."""
     turn = pieces.directions(following, np.zeros(len(here)))
     turn = turn - pieces.directions(here, np.ones(len(here)))
-    kink = np.abs((turn + np.pi) % (2 * np.pi) - np.pi) > KINK
+    kink = np.abs(wrapped(turn)) > KINK
     apart = np.hypot(*(pieces.starts[following] - pieces.ends[here]).T) > ROUNDING
     level = pieces.is_level
     ramp = level[here] != level[following]

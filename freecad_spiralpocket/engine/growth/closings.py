@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from ..model import Floats
+from ..shapes.points import cross
 from ..shapes.region import polygons_of
 from ..shapes.shaping import (
     SLIVER,
@@ -137,10 +138,7 @@ def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
     rings = [ring for p in polygons_of(closed) for ring in (p.exterior, *p.interiors)]
     coords, of = shapely.get_coordinates(rings, return_index=True)
     steps, same = np.diff(coords, axis=0), of[1:] == of[:-1]
-    turns = np.arctan2(
-        steps[:-1, 0] * steps[1:, 1] - steps[:-1, 1] * steps[1:, 0],
-        (steps[:-1] * steps[1:]).sum(axis=1),
-    )
+    turns = np.arctan2(cross(steps[:-1], steps[1:]), (steps[:-1] * steps[1:]).sum(axis=1))
     # the visited region is on the left
     sharp = coords[1:-1][(turns > CUSP_TURN) & same[1:] & same[:-1]]
     if are_within(moved, sharp, NEW).all():

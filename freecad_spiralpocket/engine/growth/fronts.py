@@ -26,6 +26,7 @@ from shapely import Polygon
 
 from ..model import Floats
 from ..numerics.filters import evened, highest
+from ..shapes.points import cross
 from ..shapes.polyline import ring_samples, simplified
 from ..shapes.region import polygons_of
 from ..shapes.shaping import (
@@ -129,7 +130,7 @@ def _stepped_ring(
     tangent = (np.roll(soft, -1, axis=0) - np.roll(soft, 1, axis=0)) / 2
     bend = np.roll(soft, -1, axis=0) - 2 * soft + np.roll(soft, 1, axis=0)
     speed = np.hypot(tangent[:, 0], tangent[:, 1]) + 1e-12
-    curvature = (tangent[:, 0] * bend[:, 1] - tangent[:, 1] * bend[:, 0]) / speed**3
+    curvature = cross(tangent, bend) / speed**3
     on_wall = are_near_walls(omega, points, TOUCHES)
     curvature = np.where(on_wall, 0.0, curvature)
     near, far = (max(3, round(2 * w * rules.cutter_radius / spacing) | 1) for w in (REACH, FAR))

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from ..model import Floats
+from ..shapes.points import cross
 from ..shapes.shaping import are_within
 from .front_rules import NEW
 
@@ -103,9 +104,7 @@ def _without_needles(points: Floats) -> Floats:
         to, onwards = here - before, after - here
         length = np.minimum(np.hypot(*to.T), np.hypot(*onwards.T))
         # how far apart the two ways are where the shorter one ends
-        width = np.abs(to[:, 0] * onwards[:, 1] - to[:, 1] * onwards[:, 0]) / np.maximum(
-            np.hypot(*to.T), np.hypot(*onwards.T)
-        )
+        width = np.abs(cross(to, onwards)) / np.maximum(np.hypot(*to.T), np.hypot(*onwards.T))
         needles = ((to * onwards).sum(axis=1) < 0) & (width < NEW) & (length < LEAD)
         if not needles.any():
             break

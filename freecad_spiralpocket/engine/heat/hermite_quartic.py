@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from ..model import Floats
-from ..shapes.points import distances_along
+from ..shapes.points import distances_along, wrapped
 
 DEGREE = 4
 #: Fewest patches of a closed curve, and most.
@@ -146,7 +146,7 @@ def _effort(closed: Floats, along: Floats) -> Floats:
     places = gaussian_filter1d(places, width, axis=0, mode="wrap")
     steps = np.roll(places, -1, axis=0) - places
     heading = np.arctan2(steps[:, 1], steps[:, 0])
-    bend = np.abs((np.diff(heading, append=heading[:1]) + np.pi) % (2 * np.pi) - np.pi)
+    bend = np.abs(wrapped(np.diff(heading, append=heading[:1])))
     bend = gaussian_filter1d(bend, width, mode="wrap")
     density = BY_LENGTH / count + (1 - BY_LENGTH) * bend / max(float(bend.sum()), 1e-12)
     total = np.concatenate([[0.0], np.cumsum(density)])

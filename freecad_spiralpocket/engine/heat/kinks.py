@@ -11,6 +11,7 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
 from ..model import Floats
+from ..shapes.points import wrapped
 
 #: A turn at one point of a path above this is a kink [rad].
 KINK = np.radians(12.0)
@@ -35,7 +36,7 @@ def has_kink(points: Floats) -> bool:
 def _turns(steps: Floats) -> Floats:
     """Return by how much each step turns from the one before, shape (n - 1,) [rad]."""
     heading = np.arctan2(steps[:, 1], steps[:, 0])
-    return np.asarray(np.abs((np.diff(heading) + np.pi) % (2 * np.pi) - np.pi))
+    return np.asarray(np.abs(wrapped(np.diff(heading))))
 
 
 def softened(points: Floats, radius: float, most: float) -> Floats:

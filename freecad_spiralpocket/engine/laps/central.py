@@ -35,6 +35,7 @@ from ..machine import machine_of
 from ..model import Floats, PocketRequest, Tick
 from ..motion.timing import polyline_seconds
 from ..opening.entry import fit_helix_radius
+from ..shapes.points import cross
 from ..shapes.polyline import ring_from, turning_samples
 from ..shapes.region import rounded_inside
 from ..shapes.splines import (
@@ -174,7 +175,7 @@ def wall_spline(region: Polygon, center: Floats, fillet: float) -> tuple[Floats,
         breaks, controls = periodic_cubic(points)
         curve = sample_beziers(periodic_beziers(breaks, controls), inset / 4)
         a, b = curve[:-1] - center, curve[1:] - center
-        seen = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > -1e-6
+        seen = cross(a, b) > -1e-6
         if seen.all() and region.contains(Polygon(curve)):
             return breaks, controls
     raise NotYetError(

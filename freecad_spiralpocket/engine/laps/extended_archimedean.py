@@ -44,7 +44,7 @@ from ..middle_line.joints import walk_over
 from ..middle_line.openings import Opening, open_centers
 from ..model import Floats, PocketRequest, Tick
 from ..opening.start import Start
-from ..shapes.points import distances_along, unit
+from ..shapes.points import distances_along, unit, wrapped
 from ..shapes.polyline import points_at
 from ..shapes.shaping import largest, oriented, slim_region
 from ..shapes.skeleton import Skeleton, medial_axis
@@ -271,7 +271,7 @@ def _detour(leave: Place, arrive: Place, radius: float) -> float:
     straight = arrive.point - leave.point
     heading = np.arctan2(straight[1], straight[0])
     turns = np.array([heading - leave.heading, arrive.heading - heading])
-    turns = np.abs((turns + np.pi) % (2 * np.pi) - np.pi)
+    turns = np.abs(wrapped(turns))
     return float(np.hypot(*straight) + radius * turns.sum())
 
 

@@ -18,6 +18,7 @@ from shapely.ops import substring
 
 from ..model import Floats
 from ..shapes.drawing_near import drawn_to
+from ..shapes.points import cross
 
 #: Radius of the arc that leaves the wall, over R; halved until it fits.
 LEAVE_RADIUS = 0.3
@@ -266,7 +267,7 @@ def _bends(paths: Floats) -> tuple[Floats, Floats]:
     """Return the lengths of chords [mm], and the curvature at the points between [1/mm]."""
     d = np.diff(paths, axis=-2)
     length = np.hypot(d[..., 0], d[..., 1]) + 1e-9
-    cross = d[..., :-1, 0] * d[..., 1:, 1] - d[..., :-1, 1] * d[..., 1:, 0]
-    dot = (d[..., :-1, :] * d[..., 1:, :]).sum(axis=-1)
-    bend = np.abs(np.arctan2(cross, dot)) / (0.5 * (length[..., :-1] + length[..., 1:]))
+    here, onward = d[..., :-1, :], d[..., 1:, :]
+    turn = np.arctan2(cross(here, onward), (here * onward).sum(axis=-1))
+    bend = np.abs(turn) / (0.5 * (length[..., :-1] + length[..., 1:]))
     return length, bend

@@ -14,6 +14,7 @@ from shapely.ops import substring
 
 from ..floor import FloorPath, Pass
 from ..model import Floats, PocketRequest
+from ..shapes.points import cross
 from ..shapes.polyline import simplified
 from ..shapes.shaping import drawn_inside
 from ..toolpath import Role
@@ -41,8 +42,7 @@ def _without_jogs(points: Floats, within: float) -> Floats:
     """
     steps = np.diff(points, axis=0)
     lengths = np.hypot(*steps.T)
-    cross = steps[:-1, 0] * steps[1:, 1] - steps[:-1, 1] * steps[1:, 0]
-    turns = np.abs(np.arctan2(cross, (steps[:-1] * steps[1:]).sum(axis=1)))
+    turns = np.abs(np.arctan2(cross(steps[:-1], steps[1:]), (steps[:-1] * steps[1:]).sum(axis=1)))
     # first and last point stay
     short = 1 + np.flatnonzero((lengths[1:-1] < 2 * within) & (turns[:-1] + turns[1:] > JOG))
     short = short[np.diff(short, prepend=-1) > 1]

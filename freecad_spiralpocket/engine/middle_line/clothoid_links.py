@@ -24,6 +24,7 @@ from ..links.cleared import ClearedMap
 from ..links.ground import Ground
 from ..links.linking import Motion, link_times
 from ..model import Floats
+from ..shapes.points import cross
 from ..shapes.polyline import simplified
 from .clothoids import ClothoidPath, begin, half_corner, tangent_share, through
 
@@ -210,10 +211,10 @@ def _candidates(
     reach = radius * np.array(REACHES)
     along_u, along_v = (g.ravel() for g in np.meshgrid(reach, reach, indexing="ij"))
     a, b = p + along_u[:, None] * u, q + along_v[:, None] * v
-    cross = u[0] * v[1] - u[1] * v[0]
-    if abs(cross) > 1e-6:
+    sine = cross(u, v)
+    if abs(sine) > 1e-6:
         w = q - p
-        x, y = (w[0] * v[1] - w[1] * v[0]) / cross, (w[0] * u[1] - w[1] * u[0]) / cross
+        x, y = cross(w, v) / sine, cross(w, u) / sine
         if x > 1e-6 and y > 1e-6:  # the rays meet: one corner, the other is straight
             a, b = np.vstack([a, p + x / 2 * u]), np.vstack([b, p + x * u])
     ends = (np.broadcast_to(e, a.shape) for e in (p, q))
@@ -236,8 +237,7 @@ def _candidates(
 def _turns(edges: Floats) -> Floats:
     """Return how far polylines turn at their corners, shape (m, k - 1) [rad]."""
     a, b = edges[:, :-1], edges[:, 1:]
-    cross = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-    return np.arctan2(cross, (a * b).sum(axis=-1))
+    return np.arctan2(cross(a, b), (a * b).sum(axis=-1))
 
 
 def _sampled(out: Floats, back: Floats, corners: Floats, tangents: Floats) -> Floats:

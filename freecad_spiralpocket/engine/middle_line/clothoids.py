@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..model import Floats
+from ..shapes.points import wrapped
 
 #: Points of Gauss's rule, and the most turning over which it is used at once [rad].
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -195,7 +196,7 @@ def through(path: ClothoidPath, corners: Floats, tangents: Sequence[float]) -> C
     edges = np.diff(corners, axis=0)
     lengths = np.hypot(edges[:, 0], edges[:, 1])
     headings = np.arctan2(edges[:, 1], edges[:, 0])
-    turns = (np.diff(headings) + np.pi) % (2 * np.pi) - np.pi
+    turns = wrapped(np.diff(headings))
     taken = np.concatenate([[0.0], tangents, [0.0]])
     for i, length in enumerate(lengths):
         straight = length - taken[i] - taken[i + 1]

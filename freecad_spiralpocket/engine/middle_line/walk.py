@@ -20,6 +20,7 @@ from scipy.ndimage import gaussian_filter1d
 from scipy.spatial import cKDTree
 
 from ..model import Floats
+from ..shapes.points import wrapped
 from ..shapes.polyline import points_at
 from ..shapes.skeleton import Skeleton
 
@@ -116,7 +117,7 @@ def _even(wall: Floats, partners: Floats, smoothing: float) -> Walk:
 def _turning(steps: Floats) -> Floats:
     """Return how far a closed polyline turns at the end of each step [rad]."""
     heading = np.arctan2(steps[:, 1], steps[:, 0])
-    return (np.roll(heading, -1) - heading + np.pi) % (2 * np.pi) - np.pi
+    return wrapped(np.roll(heading, -1) - heading)
 
 
 def _at(points: Floats, index: Floats) -> Floats:

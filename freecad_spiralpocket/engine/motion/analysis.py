@@ -14,7 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..model import Floats
-from ..shapes.points import three_point_curvature
+from ..shapes.points import three_point_curvature, wrapped
 from ..toolpath import Kind, Toolpath
 from .stations import Measured, ends_of, stations_of
 from .timing import MachineTime
@@ -47,7 +47,7 @@ def feed_direction(toolpath: Toolpath, *, by_turns: bool = True) -> tuple[Floats
     directions = headings[known].ravel()
     if by_turns and len(directions):
         # an arc may turn by more than half a turn, a corner cannot
-        steps = np.mod(np.diff(directions) + np.pi, 2 * np.pi) - np.pi
+        steps = wrapped(np.diff(directions))
         sweeps = toolpath.sweeps[known]
         steps[0::2] = sweeps
         directions = directions[0] + np.r_[0.0, np.cumsum(steps)]

@@ -20,6 +20,7 @@ import numpy as np
 
 from ..machine import CornerRule, Machine
 from ..model import Floats
+from ..shapes.points import cross
 from .blocks import SHORTEST, Blocks
 
 #: Windows around a joint, in blocks before and after.
@@ -62,7 +63,7 @@ def bend_limits(blocks: Blocks, machine: Machine) -> tuple[Floats, Floats]:
         if machine.corner_rule is CornerRule.BLENDING:
             jerks = machine.jerk_along(normals)
             joints = np.minimum(joints, np.cbrt(jerks * joint_radii**2))
-            signed = np.sign(_cross(blocks)) / np.maximum(joint_radii, SHORTEST)
+            signed = np.sign(_lefts(blocks)) / np.maximum(joint_radii, SHORTEST)
             joints = np.minimum(joints, _change_limits(blocks, turns, signed, jerks, tolerance))
     return joints, arcs
 
@@ -79,11 +80,10 @@ def _turns(blocks: Blocks) -> tuple[Floats, Floats]:
     return np.pad(angles, pad), np.pad(normals, [*pad, (0, 0)])
 
 
-def _cross(blocks: Blocks) -> Floats:
+def _lefts(blocks: Blocks) -> Floats:
     """Return at each joint a number that is positive in left turns and negative in right ones."""
-    u, v = blocks.leave[..., :-1, :], blocks.enter[..., 1:, :]
-    cross = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
-    return np.pad(cross, [(0, 0)] * (cross.ndim - 1) + [(1, 1)])
+    left = cross(blocks.leave[..., :-1, :], blocks.enter[..., 1:, :])
+    return np.pad(left, [(0, 0)] * (left.ndim - 1) + [(1, 1)])
 
 
 def _blended_radii(blocks: Blocks, turns: Floats, tolerance: float) -> tuple[Floats, Floats]:

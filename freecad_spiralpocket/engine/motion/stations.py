@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import Floats
+from ..shapes.points import cross
 from ..toolpath import Toolpath
 
 Moves = NDArray[np.int64]
@@ -72,7 +73,7 @@ def fractions_of(toolpath: Toolpath, moves: Moves, points: Floats) -> Floats:
     if len(arcs):
         centers, sweeps = toolpath.centers[moves[arcs]], toolpath.sweeps[moves[arcs]]
         a, b = starts[arcs, :2] - centers, points[arcs, :2] - centers
-        turn = np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], np.sum(a * b, axis=1))
+        turn = np.arctan2(cross(a, b), np.sum(a * b, axis=1))
         # a hair before the start is the start, not the end of a full turn
         turn = np.mod(turn * np.sign(sweeps) + 1e-9, 2 * np.pi) - 1e-9
         share[arcs] = turn / np.abs(sweeps)

@@ -22,7 +22,7 @@ from ..model import Floats
 from ..numerics.distinct import distinct
 from ..numerics.filters import evened, lowest
 from ..shapes.drawing_near import s_curve
-from ..shapes.points import distances_along
+from ..shapes.points import cross, distances_along
 from ..shapes.polyline import points_at
 from ..shapes.shaping import CRACK, Region, opening_of, thick_parts
 
@@ -159,8 +159,7 @@ def _bends(line: LineString, s: Floats, half: float) -> Floats:
     here = points_at(line, s)
     before = here - points_at(line, (s - half) % line.length)
     after = points_at(line, (s + half) % line.length) - here
-    cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-    return np.asarray(np.arctan2(cross, (before * after).sum(axis=1)) / half)
+    return np.asarray(np.arctan2(cross(before, after), (before * after).sum(axis=1)) / half)
 
 
 def _room(

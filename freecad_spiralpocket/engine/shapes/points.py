@@ -29,6 +29,11 @@ def cross(u: Floats, v: Floats) -> Floats:
     return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
 
 
+def wrapped(angles: Floats) -> Floats:
+    """Return angles less whole turns, in [-pi, pi) [rad]."""
+    return (angles + np.pi) % (2 * np.pi) - np.pi
+
+
 def signed_area(ring: Floats) -> float:
     """Return the area of a ring, shape (n, 2) [mm2], negative if it is clockwise."""
     x, y = ring.T

@@ -8,7 +8,7 @@ import shapely
 from shapely import LineString, Point
 
 from ..model import Floats
-from .points import distances_along
+from .points import distances_along, wrapped
 
 
 def closed_line(points: Floats) -> LineString:
@@ -149,7 +149,7 @@ def turning_samples(closed: Floats, length: float, turn: float) -> Floats:
     closed = np.vstack([closed[:-1][keep], closed[-1:]])
     steps, lengths = steps[keep], lengths[keep]
     heading = np.arctan2(steps[:, 1], steps[:, 0])
-    bend = np.abs((np.diff(heading, append=heading[:1]) + np.pi) % (2 * np.pi) - np.pi)
+    bend = np.abs(wrapped(np.diff(heading, append=heading[:1])))
     # half of each corner's turning goes to either side of it, spread over that edge
     effort = lengths / length + (bend + np.roll(bend, 1)) / 2 / turn
     total = np.concatenate([[0.0], np.cumsum(effort)])

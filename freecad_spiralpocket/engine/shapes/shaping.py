@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 
 from ..model import Floats
+from .points import cross
 from .region import polygons_of
 
 #: What growing and shrinking return.
@@ -186,7 +187,7 @@ def without_whiskers(shape: Polygon) -> Polygon:
         ahead = np.diff(shapely.get_coordinates(ring), axis=0)
         onward = np.roll(ahead, -1, axis=0)
         lengths = np.hypot(*ahead.T), np.hypot(*onward.T)
-        across = np.abs(ahead[:, 0] * onward[:, 1] - ahead[:, 1] * onward[:, 0])
+        across = np.abs(cross(ahead, onward))
         back = (ahead * onward).sum(axis=1) < 0
         # how far apart both ways are where the shorter one ends
         if (
