@@ -18,7 +18,7 @@ from shapely import Polygon
 
 from ..model import Floats
 from ..shapes.points import cross
-from ..shapes.region import polygons_of
+from ..shapes.region import polygons_of, rings_of
 from ..shapes.shaping import (
     SLIVER,
     Region,
@@ -135,7 +135,7 @@ def _without_cusps(closed: Region, moved: Region, rules: FrontRules) -> Region:
 
     Tips of the moved front itself stay.
     """
-    rings = [ring for p in polygons_of(closed) for ring in (p.exterior, *p.interiors)]
+    rings = [ring for p in polygons_of(closed) for ring in rings_of(p)]
     coords, of = shapely.get_coordinates(rings, return_index=True)
     steps, same = np.diff(coords, axis=0), of[1:] == of[:-1]
     turns = np.arctan2(cross(steps[:-1], steps[1:]), (steps[:-1] * steps[1:]).sum(axis=1))

@@ -28,7 +28,7 @@ from ..model import Floats
 from ..numerics.filters import evened, highest
 from ..shapes.points import cross
 from ..shapes.polyline import ring_samples, simplified
-from ..shapes.region import polygons_of
+from ..shapes.region import polygons_of, rings_of
 from ..shapes.shaping import (
     SLIVER,
     Region,
@@ -297,7 +297,7 @@ def _without_scraps(grown: Polygon, visited: Polygon, omega: Polygon, rules: Fro
 
 def _may_have_scraps(grown: Polygon, visited: Polygon, rules: FrontRules) -> bool:
     """Return whether a run of new points along the rings stays close to `visited`; quick."""
-    for ring in (grown.exterior, *grown.interiors):
+    for ring in rings_of(grown):
         # straight walls have no points of their own between the corners
         points = shapely.get_coordinates(shapely.segmentize(ring, 1.0))
         new = ~are_within(visited, points, NEW)

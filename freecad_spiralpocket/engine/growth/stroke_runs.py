@@ -16,6 +16,7 @@ from ..model import Floats
 from ..numerics.distinct import distinct_pairs
 from ..shapes.points import unit
 from ..shapes.polyline import closed_line, located, points_at
+from ..shapes.region import rings_of
 from ..shapes.shaping import Region, grow_coarsely
 from .spiral import (
     anywhere,
@@ -197,8 +198,7 @@ class _Spirals:
         if begins_on(self.ring, first, self.radius, self.stepover):
             return self.ring, np.zeros(1), 0
         before = self.fronts[first.level - 1]
-        rings = [before.exterior, *before.interiors]
-        sides = [LineString(shapely.get_coordinates(r)) for r in rings]
+        sides = [LineString(shapely.get_coordinates(r)) for r in rings_of(before)]
         source = sides[int(shapely.STRtree(sides).query_nearest(lap, all_matches=False)[0])]
         if first.exterior:
             return source, zones(source, lap, size, widest), 0

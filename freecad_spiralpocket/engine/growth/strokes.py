@@ -18,6 +18,7 @@ from shapely import Polygon
 
 from ..model import Floats
 from ..shapes.points import cross
+from ..shapes.region import rings_of
 from ..shapes.shaping import are_within
 from .front_rules import NEW
 
@@ -64,7 +65,7 @@ def strokes_between(before: Polygon, after: Polygon, level: int) -> list[Stroke]
     """Return the strokes from one front to the next, which is that of `level`."""
     return [
         Stroke(points, level, closed, i == 0)
-        for i, ring in enumerate((after.exterior, *after.interiors))
+        for i, ring in enumerate(rings_of(after))
         for points, closed in _new_runs(ring, before)
     ]
 

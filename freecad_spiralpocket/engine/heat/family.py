@@ -16,7 +16,8 @@ from shapely import Polygon
 
 from ..dependencies import require
 from ..model import Floats, PocketRequest
-from ..shapes.region import INSET, grow, polygons_of, rounded_inside
+from ..shapes.polyline import ring_points
+from ..shapes.region import INSET, grow, polygons_of, rings_of, rounded_inside
 from ..shapes.shaping import oriented
 from .nested import SPACING
 from .poisson import HeatField, solve
@@ -204,8 +205,7 @@ def _contours(field: HeatField) -> ContourGenerator:
 
 def points_of(region: Polygon) -> Floats:
     """Return the points of a region's rings, the first not repeated, shape (n, 2) [mm]."""
-    rings = (region.exterior, *region.interiors)
-    return np.vstack([np.asarray(r.coords)[:-1] for r in rings])
+    return np.vstack([ring_points(ring) for ring in rings_of(region)])
 
 
 def distances(points: Floats, regions: list[Polygon]) -> Floats:

@@ -23,6 +23,7 @@ from ..floor import Helix, Slot
 from ..model import Floats
 from ..opening.entry import NARROWEST, NoRoomForHelixError, fit_helix_radius
 from ..opening.start import slot_bite
+from ..shapes.polyline import ring_points
 from ..shapes.region import grow, polygons_of, widest_disc
 from ..shapes.shaping import SLIVER, largest
 from .family import Enclosed, Family, distances, points_of
@@ -207,7 +208,7 @@ def slots_for(
         slot = _slot_about(family, room, piece, (0.0,) if any_shape else ROUNDINGS)
         if slot is None:
             return []
-        ring = np.asarray(slot.exterior.coords)[:-1]
+        ring = ring_points(slot.exterior)
         laps.append(Lap(slot, math.nan, (), Slot(ring, slot_bite(request))))
     return laps
 

@@ -17,7 +17,8 @@ from shapely import Polygon
 
 from ..model import Floats
 from ..shapes.points import signed_area
-from ..shapes.region import INSET, polygons_of
+from ..shapes.polyline import ring_points
+from ..shapes.region import INSET, polygons_of, rings_of
 from ..shapes.shaping import oriented
 from .family import Enclosed, Family, points_of
 from .hermite_quartic import ClosedFit
@@ -213,7 +214,7 @@ def refitted(part: Polygon, deviation: float, guess: int = 8) -> tuple[Polygon, 
 
 def _fits(part: Polygon) -> list[ClosedFit]:
     """Return what fits the rings of a region."""
-    return [ClosedFit(np.asarray(r.coords)[:-1]) for r in (part.exterior, *part.interiors)]
+    return [ClosedFit(ring_points(ring)) for ring in rings_of(part)]
 
 
 def _of_fits(fits: list[ClosedFit], deviation: float, guess: int) -> tuple[Polygon, int]:

@@ -36,6 +36,7 @@ from ..model import Floats, PocketRequest, Tick
 from ..opening.leaving import straightest
 from ..opening.slot import slot_end
 from ..shapes.polyline import ring_from
+from ..shapes.region import rings_of
 from ..toolpath import Role
 from .kinks import has_kink, reach_of_kinks, softened
 from .turns import Match, Ring, match, turn
@@ -156,7 +157,7 @@ def _nodes(laps: list[Lap], finishing: bool) -> list[_Node]:
     """Return the rings of all laps, laps inner first, each with what it leans on."""
     of_lap: dict[Lap, list[_Node]] = {}
     for i, lap in enumerate(laps):
-        rings = (lap.region.exterior, *lap.region.interiors)
+        rings = rings_of(lap.region)
         wall = finishing and lap is laps[-1]
         of_lap[lap] = [
             _Node(

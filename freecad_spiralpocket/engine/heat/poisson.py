@@ -20,6 +20,7 @@ from shapely import Polygon
 
 from ..model import Floats
 from ..numerics.ragged import crossings_of
+from ..shapes.region import rings_of
 
 #: The wall is never taken nearer to a node than this share of the spacing.
 NEAREST = 1e-6
@@ -117,7 +118,7 @@ def solve(
     # off the corners, where nodes would lie on the wall
     origin = np.array([x0 - 2.37 * spacing, y0 - 2.41 * spacing])
     shape = (math.ceil((y1 - origin[1]) / spacing) + 3, math.ceil((x1 - origin[0]) / spacing) + 3)
-    walls = [region.exterior, *region.interiors, *([] if hot is None else [hot.exterior])]
+    walls = [*rings_of(region), *([] if hot is None else [hot.exterior])]
     rings = [(np.asarray(r.coords) - origin) / spacing for r in walls]
     kept = np.zeros(len(rings))
     if hot is not None:

@@ -36,7 +36,7 @@ from ..model import Floats, PocketRequest, Tick
 from ..motion.timing import polyline_seconds
 from ..opening.entry import fit_helix_radius
 from ..shapes.points import cross
-from ..shapes.polyline import ring_from, turning_samples
+from ..shapes.polyline import ring_from, ring_points, turning_samples
 from ..shapes.region import rounded_inside
 from ..shapes.splines import (
     periodic_beziers,
@@ -168,7 +168,7 @@ def wall_spline(region: Polygon, center: Floats, fillet: float) -> tuple[Floats,
     """
     inset = wall_inset(region.boundary.distance(Point(center)))
     rounded = rounded_inside(region, fillet, inset)[0]
-    ring = ring_from(np.array(rounded.exterior.coords)[:-1], center, toward=(1.0, 0.0))
+    ring = ring_from(ring_points(rounded.exterior), center, toward=(1.0, 0.0))
     for halving in range(HALVINGS):
         share = 0.5**halving
         points = turning_samples(ring, SAMPLE_LENGTH * share, SAMPLE_TURN * share)

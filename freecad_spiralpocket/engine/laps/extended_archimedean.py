@@ -45,7 +45,7 @@ from ..middle_line.openings import Opening, open_centers
 from ..model import Floats, PocketRequest, Tick
 from ..opening.start import Start
 from ..shapes.points import distances_along, unit, wrapped
-from ..shapes.polyline import points_at
+from ..shapes.polyline import points_at, ring_points
 from ..shapes.shaping import largest, oriented, slim_region
 from ..shapes.skeleton import Skeleton, medial_axis
 
@@ -189,7 +189,7 @@ def _in_order(opening: Opening, axis: Skeleton, request: PocketRequest) -> list[
 
 def _ring(shape: Polygon) -> Floats:
     """Return the outside of a polygon, its first point not repeated."""
-    return np.asarray(shape.exterior.coords)[:-1]
+    return ring_points(shape.exterior)
 
 
 def _linked(

@@ -32,7 +32,6 @@ import math
 from contextlib import suppress
 from dataclasses import dataclass
 
-import numpy as np
 import shapely
 from shapely import Point, Polygon
 
@@ -48,6 +47,7 @@ from ..heat.poisson import HeatField
 from ..links.estimates import LIFT_SECONDS, motion_of
 from ..model import PocketRequest, Tick
 from ..opening.start import slot_bite
+from ..shapes.polyline import ring_points
 from ..shapes.shaping import slim_region
 from ..shapes.skeleton import medial_axis
 from .closing import corner_fillet
@@ -248,7 +248,7 @@ def _lap_about(family: Family, hot: Polygon, room: Enclosed, tick: Tick, effort:
     points = points_of(room.region)
     off = float(distances(points, [hot]).max())
     if off <= REFITTED * family.stepover:
-        slot = Slot(np.asarray(hot.exterior.coords)[:-1], slot_bite(family.request))
+        slot = Slot(ring_points(hot.exterior), slot_bite(family.request))
         core = Lap(hot, level - room.level + family.heat, (), slot)
         effort.spend(_way_down(core, family), hot.representative_point())
         return Lap(room.region, level, (core,))

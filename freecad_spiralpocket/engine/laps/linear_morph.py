@@ -35,7 +35,7 @@ from ..model import Floats, PocketRequest, Tick
 from ..opening.slot import slot_end
 from ..opening.start import slot_bite
 from ..opening.starts import leaves_no_post
-from ..shapes.polyline import closed_line, ring_from
+from ..shapes.polyline import closed_line, ring_from, ring_points
 from ..shapes.region import rounded_inside
 from ..shapes.splines import (
     join_c2,
@@ -238,7 +238,7 @@ def rounded_wall(
         if shapely.dwithin(rounded, corners, DEEPEST * stepover + inset).all():
             break
         fillet /= 2
-    wall = np.array(rounded.exterior.coords)[:-1]
+    wall = ring_points(rounded.exterior)
     if asked is not None and spine.edges:
         return ring_from(wall, np.array(asked))
     ahead = np.array((1.0, 0.0) if asked is None else asked - spine.center)

@@ -22,6 +22,7 @@ from ..model import Floats, PocketRequest
 from ..numerics.filters import dilated
 from ..numerics.nearest import nearest
 from ..numerics.ragged import crossings_of
+from ..shapes.region import rings_of
 
 #: Raster pixels across the cutter.
 PIXELS = 24
@@ -118,9 +119,7 @@ class ClearedMap:
         width = self.shape[1] + 1
         flips = np.zeros(self.shape[0] * width, np.int16)
         for polygon in polygons:
-            ends, ring = shapely.get_coordinates(
-                (polygon.exterior, *polygon.interiors), return_index=True
-            )
+            ends, ring = shapely.get_coordinates(rings_of(polygon), return_index=True)
             points = (ends - self.origin) / self.pixel - 0.5
             points[:, 1] = np.clip(points[:, 1], 0, self.shape[0] - 1)
             same = ring[1:] == ring[:-1]

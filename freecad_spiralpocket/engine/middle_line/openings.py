@@ -21,7 +21,7 @@ from ..opening.entry import fit_helix_radius
 from ..opening.slot import slot_end
 from ..opening.start import Start
 from ..opening.starts import HALF_WIDTHS, slot_round
-from ..shapes.polyline import closed_line, ring_from
+from ..shapes.polyline import closed_line, ring_from, ring_points
 from ..shapes.shaping import grow_coarsely, oriented
 from ..shapes.skeleton import Skeleton
 from .coverable import Center, along_axis, maximal_centers
@@ -128,7 +128,7 @@ def _open_point(region: Polygon, axis: Skeleton, request: PocketRequest) -> Open
     laps = int(max(0.0, room - radius) / request.cutting.stepover + 1e-6)
     center = Center(Point(place), laps, nodes)
     circle = oriented(grow_coarsely(center.curve, radius))
-    points = np.asarray(circle.exterior.coords)[:-1]
+    points = ring_points(circle.exterior)
     if request.start_point is not None:
         points = ring_from(points, np.array(request.start_point))[:-1]
     angle = float(np.arctan2(*(points[0] - place)[::-1]))

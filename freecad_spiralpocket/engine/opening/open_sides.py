@@ -22,7 +22,7 @@ from ..errors import CutterDoesNotFitError
 from ..floor import Plunge
 from ..growth.strokes import Stroke
 from ..model import Floats, PocketRequest
-from ..shapes.region import grow, polygons_of
+from ..shapes.region import grow, polygons_of, rings_of
 from ..shapes.shaping import Region, grow_coarsely, largest, oriented, welded
 from .start import Start
 from .starts import candidates
@@ -217,7 +217,7 @@ def _from(
 def _beginning(side: Polygon, within: Polygon) -> tuple[Floats, Floats]:
     """Return where the first stroke from a side begins, climb, and in which direction."""
     wall = grow_coarsely(within.boundary, 2 * CLEAR)
-    edges = [shapely.difference(ring, wall) for ring in (side.exterior, *side.interiors)]
+    edges = [shapely.difference(ring, wall) for ring in rings_of(side)]
     lines = [shapely.line_merge(e) if e.geom_type[:5] == "Multi" else e for e in edges]
     pieces = [p for line in lines for p in shapely.get_parts(line) if p.length > 0]
     longest = max(pieces, key=lambda p: p.length, default=LineString(side.exterior))

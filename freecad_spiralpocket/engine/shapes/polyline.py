@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import shapely
-from shapely import LineString, Point
+from shapely import LinearRing, LineString, Point
 
 from ..model import Floats
 from .points import distances_along, wrapped
@@ -14,6 +14,11 @@ from .points import distances_along, wrapped
 def closed_line(points: Floats) -> LineString:
     """Return the line through points, shape (n, 2), and back to the first of them [mm]."""
     return LineString(np.vstack([points, points[:1]]))
+
+
+def ring_points(ring: LinearRing) -> Floats:
+    """Return the points of a ring, the first not repeated, shape (n, 2) [mm]."""
+    return np.asarray(ring.coords)[:-1]
 
 
 def points_at(line: LineString, at: Floats) -> Floats:

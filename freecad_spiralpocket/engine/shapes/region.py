@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 import shapely
-from shapely import MultiPolygon, Polygon
+from shapely import LinearRing, MultiPolygon, Polygon
 from shapely.geometry.polygon import orient
 
 from ..errors import CutterDoesNotFitError
@@ -78,6 +78,11 @@ def polygons_of(shape: shapely.Geometry) -> list[Polygon]:
     parts = shapely.get_parts(shapely.get_parts(shape))  # a collection may hold several at once
     parts = [g for g in parts if isinstance(g, Polygon) and not g.is_empty]
     return [orient(p) for p in sorted(parts, key=lambda p: (-p.area, p.bounds))]
+
+
+def rings_of(shape: Polygon) -> tuple[LinearRing, ...]:
+    """Return all rings of a polygon, the outer one first."""
+    return (shape.exterior, *shape.interiors)
 
 
 def widest_disc(shape: Polygon, tolerance: float = 0.01) -> tuple[tuple[float, float], float]:

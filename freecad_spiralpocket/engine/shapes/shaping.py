@@ -14,7 +14,7 @@ from shapely import MultiPolygon, Polygon
 
 from ..model import Floats
 from .points import cross
-from .region import polygons_of
+from .region import polygons_of, rings_of
 
 #: What growing and shrinking return.
 Region: TypeAlias = Polygon | MultiPolygon
@@ -183,7 +183,7 @@ def without_whiskers(shape: Polygon) -> Polygon:
 
     Along a wall an intersection may leave a whisker of no width, millimeters long.
     """
-    for ring in (shape.exterior, *shape.interiors):
+    for ring in rings_of(shape):
         ahead = np.diff(shapely.get_coordinates(ring), axis=0)
         onward = np.roll(ahead, -1, axis=0)
         lengths = np.hypot(*ahead.T), np.hypot(*onward.T)
@@ -212,7 +212,7 @@ def rim_points(
 
 def edges_of(shape: Region) -> tuple[Floats, Floats]:
     """Return where the edges of a region begin and end, shape (n, 2) each [mm]."""
-    rings = [ring for p in shapely.get_parts(shape) for ring in (p.exterior, *p.interiors)]
+    rings = [ring for p in shapely.get_parts(shape) for ring in rings_of(p)]
     points, ring = shapely.get_coordinates(rings, return_index=True)
     proper = (ring[1:] == ring[:-1]) & (points[1:] != points[:-1]).any(axis=1)
     return points[:-1][proper], points[1:][proper]

@@ -28,6 +28,7 @@ from ..numerics.graphs import delaunay_triangles, shortest_paths
 from ..numerics.nearest import nearest
 from .points import circumcenters
 from .polyline import ring_samples
+from .region import rings_of
 
 #: Pairs of node indices.
 Edges: TypeAlias = list[tuple[int, int]]
@@ -100,7 +101,7 @@ def _sampled_axis(
     All in mm. No channel is where the way along the wall from one side to the other is shorter
     than twice its length; without one there are no widths.
     """
-    rings = [ring_samples(r, spacing, FEWEST) for r in (region.exterior, *region.interiors)]
+    rings = [ring_samples(r, spacing, FEWEST) for r in rings_of(region)]
     samples = np.vstack(rings)
     vertices, ridges, pairs = _voronoi(samples)
     inside = shapely.contains_xy(region, vertices[:, 0], vertices[:, 1])
