@@ -28,7 +28,7 @@ from window import (  # noqa: E402
     WORKBENCH,
     is_panel_open,
     main_window,
-    panel,
+    page,
     press,
     press_toolbar_button,
     pump,
@@ -140,7 +140,7 @@ def open_panel(name):
 
 def is_settled():
     """Return whether everything is proved."""
-    return panel().operation_page.outlook.is_settled
+    return page().outlook.is_settled
 
 
 def show_from_top(shown):
@@ -151,11 +151,6 @@ def show_from_top(shown):
         bar = innermost.verticalScrollBar()
         bar.setValue(bar.value() + shown.mapTo(innermost, QtCore.QPoint(0, 0)).y() - 8)
     pump(0.2)
-
-
-def page():
-    """Return the open panel's own page."""
-    return panel().operation_page
 
 
 def compared():

@@ -29,6 +29,19 @@ def out_dir(tmp_path_factory):
     return folder
 
 
+@pytest.fixture
+def parameters():
+    """Return FreeCAD's parameters that hold the preferences, emptied before and after."""
+    import FreeCAD
+
+    from freecad_spiralpocket.op import preferences
+
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    group.Clear()
+    yield group
+    group.Clear()
+
+
 def pytest_terminal_summary(terminalreporter):
     """Show the figures that tests recorded; write the numbers that `./dev test` adds up."""
     stats = terminalreporter.stats

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 from shapely import MultiPoint, MultiPolygon, Point, Polygon, box
+from shapes import no_tick
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine.heat.family import family_of
@@ -23,10 +24,6 @@ FOUR_POSTS = box(0, 0, 120, 80).difference(
 SIX_POSTS = box(0, 0, 100, 67).difference(
     MultiPoint([(20 + 30 * i, 20 + 27 * k) for i in range(3) for k in range(2)]).buffer(5.0)
 )
-
-
-def no_tick(done: float) -> None:
-    """Never cancel."""
 
 
 def laps_of(pocket: Polygon, deviation: float | None = None):

@@ -32,6 +32,11 @@ def rounded(polygon: Polygon, radius: float) -> Polygon:
     return polygon.buffer(-radius).buffer(radius, quad_segs=32)
 
 
+def opened(pocket: Polygon, radius: float) -> Polygon:
+    """Return what a cutter clears of a pocket."""
+    return pocket.buffer(-radius, quad_segs=64).buffer(radius, quad_segs=64)
+
+
 #: LM15's test shapes: triangle, square and pentagon for a 6 mm cutter.
 TRIANGLE = rounded(regular(3, 54 / math.sqrt(3), math.pi / 2), 4.0)
 SQUARE = rounded(box(0, 0, 44, 44), 4.0)
@@ -54,6 +59,10 @@ def request(pocket: Polygon, **changes) -> PocketRequest:
     }
     values.update(changes)
     return PocketRequest(**values)
+
+
+def no_tick(done: float) -> None:
+    """Never cancel."""
 
 
 def lifts(result: Plan) -> int:

@@ -8,7 +8,7 @@ import pytest
 import shapely
 from hypothesis import HealthCheck, given, settings
 from shapely import LineString, Point, box
-from shapes import CIRCLE, DUMBBELL, PENTAGON, RING, SQUARE, convex_pockets
+from shapes import CIRCLE, DUMBBELL, PENTAGON, RING, SQUARE, convex_pockets, no_tick
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError, NotYetError
@@ -22,10 +22,6 @@ from freecad_spiralpocket.engine.shapes.starshape import deepest_center
 from freecad_spiralpocket.engine.toolpath import Role
 
 STEP = 2.4
-
-
-def no_tick(done: float) -> None:
-    """Never cancel."""
 
 
 def path_of(pocket, ratio=None, **changes):

@@ -16,7 +16,6 @@ from heated import (
     TWO_ISLANDS,
     TWO_LOBES,
     laps_of,
-    no_tick,
     pairs,
     path_of,
     turning,
@@ -33,6 +32,7 @@ from shapes import (
     SQUARE,
     TRIANGLE,
     convex_pockets,
+    no_tick,
 )
 from shapes import request as make_request
 

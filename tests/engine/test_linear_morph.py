@@ -20,6 +20,7 @@ from shapes import (
     TRIANGLE,
     convex_pockets,
     crossed_bars,
+    no_tick,
 )
 from shapes import request as make_request
 
@@ -41,10 +42,6 @@ TAILS = shapely.union_all(
         for x in (19.2, 50.4, 81.6, 112.8, 144.0)
     ]
 )
-
-
-def no_tick(done: float) -> None:
-    """Never cancel."""
 
 
 def spiral_of(pocket: Polygon, **changes):

@@ -9,8 +9,8 @@ import shapely
 from oracle import walk
 from shapely import Polygon, box
 from shapely.affinity import translate
+from shapes import opened, rounded
 from shapes import request as make_request
-from shapes import rounded
 
 from freecad_spiralpocket.engine import copies, plan, planner
 from freecad_spiralpocket.engine.contact.air import Stock
@@ -29,11 +29,6 @@ TOPS = (0.0, -2.0, -4.0)
 #: From the top down; each lies within the one above it.
 POCKETS = [rounded(box(-by, -by, 50 + by, 40 + by), 4.0) for by in (2.0, 1.0, 0.0)]
 AROUND = box(-100, -100, 150, 140)
-
-
-def opened(pocket, radius):
-    """Return what a cutter clears of a pocket."""
-    return pocket.buffer(-radius, quad_segs=64).buffer(radius, quad_segs=64)
 
 
 def stock_of(pocket, cleared):

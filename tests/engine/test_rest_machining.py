@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 from shapely import Point, Polygon, box
-from shapes import assert_ways_down_are_fed, lifts
+from shapes import assert_ways_down_are_fed, lifts, opened
 from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
@@ -28,11 +28,6 @@ POCKETS = {
     .difference(Point(28, 27).buffer(9))
     .difference(box(60, 18, 72, 36)),
 }
-
-
-def opened(pocket, radius):
-    """Return what a cutter clears of a pocket."""
-    return pocket.buffer(-radius, quad_segs=64).buffer(radius, quad_segs=64)
 
 
 def rest_request(pocket, cleared, **changes):

@@ -3,6 +3,7 @@
 
 import FreeCAD
 import pytest
+from sample_parts import add_job, add_part, area, block, rectangle
 
 
 @pytest.fixture
@@ -13,3 +14,9 @@ def doc():
     yield document
     if name in FreeCAD.listDocuments():
         FreeCAD.closeDocument(name)
+
+
+@pytest.fixture
+def job(doc):
+    """Return a job for a block with one pocket, without operations."""
+    return add_job(doc, add_part(doc, block(area(rectangle(20, 20, 4)))))

@@ -89,6 +89,11 @@ def vertical_face(shape):
     )
 
 
+def box(x, y, z, width, depth, height):
+    """Return a box from one corner on."""
+    return Part.makeBox(width, depth, height, Vector(x, y, z))
+
+
 def add_part(doc, shape, name="Part"):
     """Return a new object of `doc` with `shape`."""
     part = doc.addObject("Part::Feature", name)
@@ -129,6 +134,11 @@ def small_job(doc, diameter=6.0):
 def motion(op):
     """Return the commands of an operation's path that move."""
     return [c for c in op.Path.Commands if not c.Name.startswith("(")]
+
+
+def told(op, words):
+    """Return whether a notice of an operation has these words."""
+    return any(words in notice for notice in op.Notices)
 
 
 def gcode(op):

@@ -5,16 +5,12 @@ import numpy as np
 import Part
 import pytest
 from FreeCAD import Vector
-from sample_parts import add_job, add_part, faces_at, motion
+from sample_parts import add_job, add_part, box, faces_at, motion
 from solid_oracle import Stock, Surface, gouges, places
 
 from freecad_spiralpocket import api
 
 R, A, B, RIB = 4.0, -14.0, -17.0, -4.0
-
-
-def box(x, y, z, width, depth, height):
-    return Part.makeBox(width, depth, height, Vector(x, y, z))
 
 
 def side_by_side(gap, joint):

@@ -1,19 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Islands lower than the wall are cut to their tops where no wall goes around at that height."""
 
-import Part
 import pytest
-from FreeCAD import Vector
-from sample_parts import add_job, add_part, faces_at, motion
+from sample_parts import add_job, add_part, box, faces_at, motion
 from solid_oracle import Stock, Surface, gouges, places
 
 from freecad_spiralpocket import api
 
 R, FLOOR, RIB = 3.0, -16.0, -11.0
-
-
-def box(x, y, z, width, depth, height):
-    return Part.makeBox(width, depth, height, Vector(x, y, z))
 
 
 def housing(*more):

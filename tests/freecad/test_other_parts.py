@@ -4,7 +4,7 @@
 import Part
 import pytest
 from FreeCAD import Vector
-from sample_parts import DEPTH, add_job, add_part, area, block, faces_at, motion, rectangle
+from sample_parts import DEPTH, add_job, add_part, area, block, faces_at, motion, rectangle, told
 from solid_oracle import Stock, Surface, gouges, places
 
 from freecad_spiralpocket import api
@@ -32,10 +32,6 @@ def cut(doc, *shapes, **options):
     job = add_job(doc, *parts, diameter=2 * R)
     base = [(parts[0], faces_at(parts[0].Shape, -DEPTH))]
     return api.add_spiral_pocket(job, base, StepDown=3.0, **options)
-
-
-def told(op, words):
-    return any(words in notice for notice in op.Notices)
 
 
 OTHERS = {

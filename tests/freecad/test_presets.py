@@ -3,9 +3,8 @@
 
 import json
 
-import FreeCAD
 import pytest
-from sample_parts import add_job, add_part, area, block, rectangle
+from sample_parts import add_job
 
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.op import operation, preferences, presets, properties, request
@@ -32,21 +31,6 @@ OTHERS = {
     "ExtendOpenSides": False,
     "UseRestMachining": True,
 }
-
-
-@pytest.fixture
-def job(doc):
-    """Return a job without operations."""
-    return add_job(doc, add_part(doc, block(area(rectangle(20, 20, 4)))))
-
-
-@pytest.fixture
-def parameters():
-    """Return the parameters that hold the preferences, emptied before and after."""
-    group = FreeCAD.ParamGet(preferences.GROUP)
-    group.Clear()
-    yield group
-    group.Clear()
 
 
 def values(op):

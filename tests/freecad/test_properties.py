@@ -2,7 +2,6 @@
 """One table makes, defaults, presets and migrates the operation's properties."""
 
 import pytest
-from sample_parts import add_job, add_part, area, block, rectangle
 
 from freecad_spiralpocket.engine.model import CutMode, Strategy
 from freecad_spiralpocket.op import operation, properties
@@ -22,18 +21,11 @@ PROTOTYPE_TYPES = {
     "App::PropertyVectorDistance",
     "Part::PropertyPartShape",
 }
-PRESET_PREFIX = "SpiralPocket"
-
-
-@pytest.fixture
-def job(doc):
-    """Return a job without operations; the operation has no floor and stays without a path."""
-    return add_job(doc, add_part(doc, block(area(rectangle(20, 20, 4)))))
 
 
 @pytest.fixture
 def op(job):
-    """Return a new operation."""
+    """Return a new operation; it has no floor and stays without a path."""
     return operation.Create("SpiralPocket", parentJob=job)
 
 

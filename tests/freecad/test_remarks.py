@@ -2,7 +2,18 @@
 """What is told of depths and walls; rapids stay above the safe height where nothing was cut."""
 
 import pytest
-from sample_parts import DEPTH, QUICK, add_job, add_part, area, block, faces_at, motion, rectangle
+from sample_parts import (
+    DEPTH,
+    QUICK,
+    add_job,
+    add_part,
+    area,
+    block,
+    faces_at,
+    motion,
+    rectangle,
+    told,
+)
 
 from freecad_spiralpocket import api
 from freecad_spiralpocket.op import remarks
@@ -17,10 +28,6 @@ def job(doc):
 def cut(job, **options):
     part = job.Document.getObject("Part")
     return api.add_spiral_pocket(job, [(part, faces_at(part.Shape, -DEPTH))], **(QUICK | options))
-
-
-def told(op, words):
-    return any(words in notice for notice in op.Notices)
 
 
 def test_of_ordinary_depths_nothing_is_told(job):

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Ground that several pockets share is cut once, and never left to one that is not cut."""
 
-import Part
 import pytest
-from FreeCAD import Vector
-from sample_parts import add_job, add_part, faces_at, motion
+from sample_parts import add_job, add_part, box, faces_at, motion
 from solid_oracle import Stock, Surface, gouges, places
 
 from freecad_spiralpocket import api
@@ -13,10 +11,6 @@ from freecad_spiralpocket.engine.errors import NotYetError
 from freecad_spiralpocket.op.operation import ObjectSpiralPocket
 
 R = 3.0
-
-
-def box(x, y, z, width, depth, height):
-    return Part.makeBox(width, depth, height, Vector(x, y, z))
 
 
 def tray():

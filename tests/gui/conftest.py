@@ -22,6 +22,7 @@ from window import (
     pump,
     report_view,
     select,
+    settle,
     wait_for,
 )
 
@@ -148,6 +149,16 @@ def part(job):
 def floor(part):
     """Return the floor of the plate's pocket as (object, face name)."""
     return part, floors(part, -DEPTH)[0]
+
+
+@pytest.fixture
+def opened(job, floor):
+    """Return a new operation with its panel open and its path proved."""
+    select(floor)
+    press_toolbar_button()
+    FreeCADGui.Selection.clearSelection()
+    settle()
+    return job.Operations.Group[0]
 
 
 @pytest.fixture

@@ -16,12 +16,13 @@ from window import (
     dialog,
     edit,
     is_panel_open,
-    panel,
+    page,
     press,
     press_toolbar_button,
     pump,
     remarks,
     select,
+    settle,
     wait_for,
     widget,
 )
@@ -36,24 +37,9 @@ from freecad_spiralpocket.gui.qt.theme import theme
 NAME = "SpiralPocketCompare"
 
 
-def page():
-    """Return the open panel's own page."""
-    return panel().operation_page
-
-
 def cards():
     """Return the cards of the open comparison."""
     return page().compare.window.cards
-
-
-@pytest.fixture
-def opened(job, floor):
-    """Return a new operation with its panel open and its path proved."""
-    select(floor)
-    press_toolbar_button()
-    FreeCADGui.Selection.clearSelection()
-    wait_for(lambda: page().outlook.is_settled, 60)
-    return job.Operations.Group[0]
 
 
 @pytest.fixture
@@ -101,7 +87,7 @@ def test_what_leaves_the_floor_uncut_has_no_star_and_is_told_when_taken(low_boss
     assert len(stars) == 1 and stars[0].is_sound
 
     central.button.click()
-    wait_for(lambda: page().outlook.is_settled, 60)
+    settle()
     uncut = page().result_box.texts["Left uncut in reach"]
     assert f"{uncut} uncut</span>" in page().form.summary.text()
     assert "Nothing is cut below Z-3." in remarks()
@@ -161,7 +147,7 @@ def test_picked_strategy_is_set_and_its_path_is_known(compared):
     at = next(i for i, s in enumerate(Strategy) if s is Strategy.LINEAR_MORPH)
     seconds = cards()[at].seconds
     cards()[at].button.click()
-    wait_for(lambda: page().outlook.is_settled, 60)
+    settle()
     assert compared.Strategy == Strategy.LINEAR_MORPH.value
     assert widget("strategy").currentData() == Strategy.LINEAR_MORPH.value
     (plan,) = page().outlook.plans
@@ -186,7 +172,7 @@ def test_closing_ends_the_work(opened):
 def test_comparison_follows_a_change(compared):
     first = cards()[0].seconds
     widget("stepOverPercent").setValue(25)
-    wait_for(lambda: page().outlook.is_settled, 60)
+    settle()
     wait_for(lambda: all(c.text.text() for c in cards()), 120)
     assert cards()[0].seconds > first
     press(CANCEL)
@@ -194,7 +180,7 @@ def test_comparison_follows_a_change(compared):
 
 def test_errors_are_told_in_the_panels_words(opened):
     widget("helixAngle").setProperty("rawValue", 0.0)
-    wait_for(lambda: page().outlook.is_settled, 60)
+    settle()
     page().compare.button.click()
     wait_for(lambda: all(c.text.text() for c in cards()), 120)
     assert '"Helix ramp angle"' in cards()[0].text.text()

@@ -25,6 +25,7 @@ from window import (
     pump,
     screenshot,
     select,
+    settle,
     wait_for,
     widget,
 )
@@ -224,7 +225,7 @@ def test_cancel_takes_an_edit_back_although_something_was_renamed(doc, operation
 def test_what_the_preview_has_read_off_the_part_is_not_read_again(job, floor, monkeypatch):
     select(floor)
     press_toolbar_button()
-    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    settle()
     read = []
     monkeypatch.setattr(pockets.walls, "Walls", lambda *a, **k: read.append(a))
     press(OK)
@@ -377,7 +378,7 @@ def test_value_that_is_out_of_range_stays_and_is_told(operation, name, value):
     setattr(operation, name, value)
     operation.Document.recompute()
     edit(operation)
-    wait_for(lambda: panel().operation_page.outlook.is_settled)
+    settle()
     kept = getattr(operation, name)
     assert getattr(kept, "Value", kept) == value
     assert panel().operation_page.outlook.plans == []

@@ -16,7 +16,7 @@ from window import (
     press_toolbar_button,
     pump,
     select,
-    wait_for,
+    settle,
     widget,
 )
 
@@ -292,7 +292,7 @@ def test_freecads_own_pages_keep_their_titles(operation):
 
 
 def test_boxes_are_no_wider_than_the_page(operation):
-    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    settle()
     widest = panel().operation_page.form.minimumSizeHint().width()
     assert all(box.minimumSizeHint().width() <= widest for box in panel().form[1:])
 

@@ -3,7 +3,6 @@
 
 import sys
 
-import FreeCADGui
 import numpy as np
 import pytest
 from PySide import QtGui
@@ -11,13 +10,12 @@ from window import (
     CANCEL,
     answered,
     main_window,
-    panel,
+    page,
     pixels_that_differ,
     press,
-    press_toolbar_button,
     pump,
     screenshot,
-    select,
+    settle,
     wait_for,
     widget,
 )
@@ -29,25 +27,9 @@ from freecad_spiralpocket.gui.plots.dock import NAME
 from freecad_spiralpocket.op.results import machining_time
 
 
-def page():
-    """Return the open panel's own page."""
-    return panel().operation_page
-
-
 def docks():
     """Return the docks with plots."""
     return main_window().findChildren(QtGui.QDockWidget, NAME)
-
-
-@pytest.fixture
-def opened(job, floor):
-    """Return a new operation with its panel open and its path proved."""
-    job.Tools.Group[0].SpindleSpeed = 12000
-    select(floor)
-    press_toolbar_button()
-    FreeCADGui.Selection.clearSelection()
-    wait_for(lambda: page().outlook.is_settled, 60)
-    return job.Operations.Group[0]
 
 
 def test_plots_of_the_same_path_are_reckoned_once(opened, monkeypatch):
@@ -97,7 +79,7 @@ def test_plots_follow_a_change(opened):
     page().plots.button.setChecked(True)
     first = page().plots.dock._curves
     widget("stepOverPercent").setValue(30)
-    wait_for(lambda: page().outlook.is_settled, 60)
+    settle()
     assert page().plots.dock._curves.clock[-1] > first.clock[-1]
     page().plots.button.setChecked(False)
     pump()
@@ -107,7 +89,8 @@ def test_plots_follow_a_change(opened):
 
 def test_texts_may_be_chinese(opened, monkeypatch):
     pytest.importorskip("matplotlib")
-    assert all(isinstance(family, str) for family in plot_dock.chinese_fonts())
+    families = plot_dock.chinese_fonts()  # none where no such font is installed
+    assert isinstance(families, list) and all(isinstance(family, str) for family in families)
     monkeypatch.setattr(plot_dock, "chinese_fonts", lambda: ["Not There", "DejaVu Serif"])
     page().plots.button.setChecked(True)
     axes = page().plots.dock._figure.axes[0]
@@ -131,10 +114,10 @@ def test_plots_without_a_path_say_so(opened):
     page().plots.button.setChecked(True)
     dock = page().plots.dock
     widget("helixAngle").setProperty("rawValue", 0.0)
-    wait_for(lambda: page().outlook.is_settled, 60)
+    settle()
     assert not dock._figure.axes and "No path" in dock._figure.texts[0].get_text()
     widget("helixAngle").setProperty("rawValue", 5.0)
-    wait_for(lambda: page().outlook.is_settled, 60)
+    settle()
     assert len(dock._figure.axes) == 4 and not dock._figure.texts
     press(CANCEL)
 

@@ -36,15 +36,6 @@ DEFAULTS = {p.name: p.default for p in properties.TABLE}
 
 
 @pytest.fixture
-def parameters():
-    """Return the parameters that hold the preferences, emptied before and after."""
-    group = FreeCAD.ParamGet(preferences.GROUP)
-    group.Clear()
-    yield group
-    group.Clear()
-
-
-@pytest.fixture
 def page(parameters):
     """Return the page as FreeCAD opens it."""
     page = PreferencePage()

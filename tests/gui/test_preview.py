@@ -17,13 +17,14 @@ from window import (
     OK,
     edit,
     is_panel_open,
-    panel,
+    page,
     pixels_that_differ,
     press,
     press_toolbar_button,
     pump,
     screenshot,
     select,
+    settle,
     wait_for,
     widget,
 )
@@ -34,22 +35,17 @@ from freecad_spiralpocket.gui.preview.scene import NAME, DraftItem, PathItem
 
 def preview():
     """Return the preview of the open panel."""
-    return panel().operation_page.preview
+    return page().preview
 
 
 def outlook():
     """Return what the open panel foresees."""
-    return panel().operation_page.outlook
+    return page().outlook
 
 
 def items():
     """Return what the preview shows."""
     return list(preview().items.values())
-
-
-def settle():
-    """Wait until everything is proved."""
-    wait_for(lambda: outlook().is_settled, 60)
 
 
 def nodes(document, name=NAME):
@@ -65,15 +61,10 @@ def nodes(document, name=NAME):
     return search.getPaths().getLength()
 
 
-@pytest.fixture
-def opened(job, floor):
-    """Return a new operation with its panel open and its path proved."""
+@pytest.fixture(autouse=True)
+def nothing_proved():
+    """Forget what other tests had proved."""
     lanes.proved.clear()
-    select(floor)
-    press_toolbar_button()
-    FreeCADGui.Selection.clearSelection()
-    settle()
-    return job.Operations.Group[0]
 
 
 def test_the_proved_path_is_drawn_without_a_recompute(opened):
@@ -234,7 +225,6 @@ def test_copies_are_proved_once_and_drawn_each(doc):
         solid = solid.cut(Part.makeBox(34, 28, 6, Vector(x, 4, -6)))
     job = add_job(doc, solid, diameter=6.0)
     part = doc.getObject("Part")
-    lanes.proved.clear()
     select(*((part, name) for name in floors(part, -6.0)))
     press_toolbar_button()
     settle()

@@ -18,6 +18,7 @@ from window import (
     press_toolbar_button,
     pump,
     select,
+    settle,
     wait_for,
     widget,
 )
@@ -149,7 +150,7 @@ def test_cancel_after_stop_leaves_the_path_as_before(job, floor, worker):
     assert operation.Path.toGCode() == before and len(before) > 1000
     assert operation.Proxy.plans == plans and not operation.Proxy.errors
     edit(operation)
-    wait_for(lambda: panel().operation_page.outlook.is_settled)
+    settle()
     assert "Stopped" not in widget("summary").text()
     press(CANCEL)
 

@@ -17,6 +17,7 @@ from window import (
     answered,
     edit,
     is_panel_open,
+    page,
     panel,
     pixels_that_differ,
     press,
@@ -25,6 +26,7 @@ from window import (
     remarks,
     screenshot,
     select,
+    settle,
     wait_for,
     widget,
 )
@@ -35,29 +37,9 @@ from freecad_spiralpocket.op import compat
 from freecad_spiralpocket.op import remarks as op_remarks
 
 
-def page():
-    """Return the open panel's own page."""
-    return panel().operation_page
-
-
-def settle():
-    """Wait until everything is proved."""
-    wait_for(lambda: page().outlook.is_settled, 60)
-
-
 def state():
     """Return what the box says of its figures."""
     return page().result_box._state.text()
-
-
-@pytest.fixture
-def opened(job, floor):
-    """Return a new operation with its panel open and its path proved."""
-    select(floor)
-    press_toolbar_button()
-    FreeCADGui.Selection.clearSelection()
-    settle()
-    return job.Operations.Group[0]
 
 
 def test_figures_are_there_before_and_after_apply(opened):

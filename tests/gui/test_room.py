@@ -14,7 +14,7 @@ from window import (
     pump,
     select,
     set_units,
-    wait_for,
+    settle,
     widget,
 )
 
@@ -47,7 +47,7 @@ def form(request, job, floor):
     select(floor)
     press_toolbar_button()
     widget("advanced").setChecked(True)
-    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    settle()
     pump(0.5)
     if width:
         set_width(width)

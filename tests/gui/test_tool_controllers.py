@@ -18,6 +18,7 @@ from window import (
     pump,
     remarks,
     select,
+    settle,
     wait_for,
     widget,
 )
@@ -76,7 +77,7 @@ def test_path_for_another_cutter_is_the_one_that_was_shown(job, operation):
     controller.Tool.Diameter = 4.1234
     pump()
     widget("stepOverPercent").setValue(20.0)
-    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    settle()
     shown = panel().operation_page.outlook.plans
     press(APPLY)
     assert operation.StepDown.Value == 4.1234

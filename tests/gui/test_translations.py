@@ -16,6 +16,7 @@ from window import (
     pump,
     remarks,
     select,
+    settle,
     toolbar,
     wait_for,
     widget,
@@ -110,7 +111,7 @@ def test_messages_name_what_the_panel_shows(job, floor, german):
         assert module.translate(module.PANEL, source) == label
     assert in_panel("Lower ZStockToLeave.") == "„Z-Aufmaß“ verringern."
     widget("stockToLeave").setProperty("rawValue", 50)
-    wait_for(lambda: panel().operation_page.outlook.is_settled)
+    settle()
     status = panel().operation_page.preview.box.status.text()
     for told in (widget("summary").text(), remarks(), status):
         assert "passt nicht" in told and "„XY-Aufmaß“" in told and "StockToLeave" not in told
@@ -139,7 +140,7 @@ def test_messages_name_what_freecads_own_pages_show(job, floor, german):
 def test_result_names_the_machine_as_its_field_does(job, floor, german):
     select(floor)
     press_toolbar_button()
-    wait_for(lambda: panel().operation_page.outlook.is_settled)
+    settle()
     assert widget("machine").currentText() == "Hobby-Portalfräse"
     assert "Zeit auf Hobby-Portalfräse" in panel().operation_page.result_box.texts
     press(CANCEL)
@@ -154,7 +155,7 @@ def test_figures_have_the_users_decimal_mark(job, floor, german):
         assert (small(0.25), length(12345)) == ("0,250 mm", "12,35 m")
         select(floor)
         press_toolbar_button()
-        wait_for(lambda: panel().operation_page.outlook.is_settled)
+        settle()
         panel().operation_page.plots.button.setChecked(True)
         plots = panel().operation_page.plots.dock
         assert plots._values_at(2.5).startswith("2,5 s")

@@ -20,8 +20,8 @@ from window import (
     pump,
     select,
     set_units,
+    settle,
     type_into,
-    wait_for,
     widget,
 )
 
@@ -140,7 +140,7 @@ def test_feeds_of_the_tool_controller_stay_as_they_are(units, job, floor):
     controller.HorizFeed = controller.VertFeed = 25.004
     select(floor)
     press_toolbar_button()
-    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    settle()
     with answered():
         press(OK)
     assert (controller.HorizFeed.Value, controller.VertFeed.Value) == (25.004, 25.004)
@@ -267,7 +267,7 @@ def test_the_tab_key_follows_the_page(operation):
 
 
 def test_feeds_are_told_in_the_users_unit(inches, operation):
-    wait_for(lambda: panel().operation_page.outlook.is_settled, 60)
+    settle()
     box = panel().operation_page.preview.box
     box.quantity.setCurrentIndex(1)
     assert box.quantity.currentText() == "Feed [in/min]"

@@ -116,9 +116,19 @@ def panel():
     return next(p.panel for p in proxies if getattr(p, "panel", None) is not None)
 
 
+def page():
+    """Return the open panel's own page."""
+    return panel().operation_page
+
+
+def settle():
+    """Wait until every pocket of the open panel is proved."""
+    wait_for(lambda: page().outlook.is_settled, 60)
+
+
 def widget(name):
     """Return the widget of that name in the open panel's own page."""
-    return getattr(panel().operation_page.form, name)
+    return getattr(page().form, name)
 
 
 def type_into(box, letters):
@@ -152,7 +162,7 @@ def strike(box, key, letter=""):
 
 def remarks():
     """Return what the result box of the open panel remarks, in one text."""
-    box = panel().operation_page.result_box.list
+    box = page().result_box.list
     return " ".join(box.item(row).text() for row in range(box.count()))
 
 
