@@ -46,6 +46,12 @@ L_SHAPE = Polygon([(0, 0), (80, 0), (80, 30), (30, 30), (30, 80), (0, 80)])
 DUMBBELL = box(-50, -20, -15, 20).union(box(15, -20, 50, 20)).union(box(-20, -6, 20, 6))
 TEE = rounded(box(-45, 0, 45, 24).union(box(-14, -50, 14, 10)), 3.5)
 RING = box(0, 0, 60, 60).difference(Point(30, 30).buffer(8))
+ISLANDS = (
+    box(0, 0, 80, 60)
+    .difference(Point(22, 30).buffer(7))
+    .difference(box(45, 20, 55, 34))
+    .difference(Point(64, 44).buffer(4))
+)
 
 
 def request(pocket: Polygon, **changes) -> PocketRequest:

@@ -17,6 +17,7 @@ from shapes import (
     CIRCLE,
     DUMBBELL,
     HEIGHTS,
+    ISLANDS,
     L_SHAPE,
     RING,
     SQUARE,
@@ -30,9 +31,6 @@ from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
-from freecad_spiralpocket.engine.growth.front_rules import FrontRules, engagement_step
-from freecad_spiralpocket.engine.growth.fronts import advance
-from freecad_spiralpocket.engine.laps import automatic as automatic_laps
 from freecad_spiralpocket.engine.links.estimates import motion_of
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Entry, Heights, Plan, Strategy
@@ -40,21 +38,8 @@ from freecad_spiralpocket.engine.opening.mouths import mouths_of
 from freecad_spiralpocket.engine.opening.start import slot_bite
 from freecad_spiralpocket.engine.opening.starts import island_ring
 from freecad_spiralpocket.engine.proof.findings import TOUCH
-from freecad_spiralpocket.engine.shapes.region import center_regions
-from freecad_spiralpocket.engine.sizes import (
-    planned_resized,
-    resized,
-    resized_path,
-    resized_request,
-)
 from freecad_spiralpocket.engine.toolpath import Role
 
-ISLANDS = (
-    box(0, 0, 80, 60)
-    .difference(Point(22, 30).buffer(7))
-    .difference(box(45, 20, 55, 34))
-    .difference(Point(64, 44).buffer(4))
-)
 SLOT = box(0, 0, 25, 8.75)
 POCKETS = {
     "triangle": TRIANGLE,
@@ -214,80 +199,6 @@ def test_turning_and_shifting_the_pocket_changes_little(angle):
     assert after.time == pytest.approx(before.time, rel=0.05)
 
 
-@pytest.mark.parametrize("name", ["L", "islands"])
-@pytest.mark.parametrize("factor", [0.1, 10.0])
-def test_pocket_and_cutter_of_another_size_are_planned_as_well(name, factor):
-    made = make_request(POCKETS[name], strategy=Strategy.AUTOMATIC)
-    result = plan(resized_request(made, factor))
-    assert result.report.uncut_area < 0.01 * factor**2
-    assert result.report.gouge <= 0.01 * factor
-    assert result.report.rapid_hit == 0
-    assert result.report.link_hit <= TOUCH * factor
-    assert lifts(result) == 1
-
-
-@pytest.mark.parametrize(("radius", "tolerance"), [(0.3, 0.01), (9.0, 0.01), (3.0, 0.1)])
-def test_size_and_tolerance_need_not_go_together(radius, tolerance):
-    made = make_request(L_SHAPE, strategy=Strategy.AUTOMATIC)
-    result = plan(replace(resized_request(made, radius / 3.0), tolerance=tolerance))
-    assert result.report.uncut_area < 0.01 * max(1.0, radius / 3.0) ** 2
-    assert result.report.gouge <= tolerance + 0.005
-
-
-@pytest.mark.parametrize(
-    "strategy", [s for s in Strategy if s is not Strategy.AUTOMATIC], ids=lambda s: s.name
-)
-def test_the_smallest_cutters_are_planned_as_any(strategy):
-    made = resized_request(make_request(SQUARE, strategy=strategy), 1 / 30)
-    report = plan(replace(made, tolerance=0.0005)).report
-    assert report.uncut_area < 1e-4 and report.gouge <= 0.001
-    assert not [n for n in report.notices if "the path asked for" in n.message]
-
-
-@pytest.mark.parametrize("strategy", [Strategy.AUTOMATIC, Strategy.ISOTHERM])
-def test_errors_of_small_cutters_tell_the_sizes_of_the_pocket(strategy):
-    pocket = Point(20, 10).buffer(0.503, quad_segs=64)
-    made = replace(resized_request(make_request(pocket, strategy=strategy), 1.0), tolerance=0.001)
-    made = replace(made, tool_diameter=1.0, cutting=Cutting(0.4))
-    with pytest.raises(CutterDoesNotFitError) as caught:
-        plan(made)
-    assert caught.value.message.startswith("The 1 mm cutter fits the pocket")
-    assert caught.value.place == pytest.approx((20, 10), abs=0.1)
-
-
-def test_all_else_resized_too_the_path_is_the_same():
-    made = make_request(L_SHAPE, strategy=Strategy.AUTOMATIC)
-    region = center_regions(made.pocket, made.cutter_radius, 0.0)[0]
-    path = planned_resized(automatic_laps.floor_path, region, made, lambda done: None)
-    small = planned_resized(
-        automatic_laps.floor_path,
-        resized(region, 0.125),  # exact in binary: GEOS would else meet other last digits
-        resized_request(made, 0.125),
-        lambda done: None,
-    )
-    back = resized_path(small, 8.0)
-    assert [p.role for p in back.passes] == [p.role for p in path.passes]
-    for one, other in zip(path.passes, back.passes, strict=True):
-        assert LineString(one.points).hausdorff_distance(LineString(other.points)) < 1e-9
-
-
-def test_where_geos_gives_up_another_size_is_tried():
-    made = make_request(L_SHAPE, strategy=Strategy.AUTOMATIC)
-    region = center_regions(made.pocket, made.cutter_radius, 0.0)[0]
-    met = []
-
-    def fails_twice(region, request, tick):
-        met.append(request.tool_diameter)
-        if len(met) < 3:
-            raise shapely.GEOSException("found two shells in EdgeRing list")
-        return automatic_laps.floor_path(region, request, tick)
-
-    path = planned_resized(fails_twice, region, made, lambda done: None)
-    assert met[0] == made.tool_diameter and len(set(met)) == 3
-    within = region.buffer(0.011)
-    assert all(within.covers(LineString(part.points)) for part in path.passes)
-
-
 def test_links_know_the_acceleration_along_the_path():
     brisk = replace(MIDDLING, acceleration=(900.0, 800.0, 300.0))
     made = make_request(SQUARE)
@@ -343,20 +254,6 @@ def test_stock_to_leave_keeps_off_the_walls():
     assert SQUARE.buffer(-3.49).covers(moves)
 
 
-@pytest.mark.parametrize("curvature", [0.0, 0.05, 0.2, 0.5])
-def test_step_keeps_the_engagement_of_a_growing_disc(curvature):
-    rules = FrontRules(3.0, math.radians(70), 4.0, 4.0)
-    step = float(engagement_step(np.array([curvature]), rules)[0])
-    if curvature == 0:
-        assert step == pytest.approx(rules.stepover, rel=1e-3)
-        return
-    old = 1 / curvature
-    edge, center = old + 3.0, old + step
-    # the rim leaves the cleared disc where its distance to the middle is the edge's radius
-    cosine = (edge**2 - center**2 - 9.0) / (2 * center * 3.0)
-    assert math.acos(cosine) == pytest.approx(math.radians(70), abs=1e-9)
-
-
 def test_slot_bites_as_much_as_the_step_removes_but_not_too_deep():
     assert slot_bite(make_request(SQUARE)) == pytest.approx(1.8)  # 0.3 D
     shallow = make_request(SQUARE, cutting=Cutting(1.2))
@@ -373,37 +270,3 @@ def test_cutter_goes_down_near_the_start_point(mode, asked):
     # two radii off both walls, and the radius of the helix on
     assert math.hypot(*(first[:2] - asked)) < 2 * result.request.tool_diameter
     assert result.report.uncut_area < 0.01
-
-
-def front_of_two_discs(radius: float, apart: float, bar: Polygon) -> Polygon:
-    """Return the front after discs side by side [mm], and a bar that joins them."""
-    rules = FrontRules(3.0, math.acos(1 - 2.4 / 3.0), 1.33 * 3.0, 1.75 * 2.4)
-    discs = [Point(x, 0).buffer(radius, quad_segs=64) for x in (0, apart)]
-    visited = orient(shapely.union_all([*discs, bar]))
-    return advance(visited, box(-3 * radius, -3 * radius, 6 * radius, 3 * radius), rules)
-
-
-def sharpest_turn(front: Polygon) -> float:
-    """Return by how much the rings of a region turn at most at a point [rad]."""
-    sharpest = 0.0
-    for ring in (front.exterior, *front.interiors):
-        points = np.array(ring.coords)[:-1]
-        steps = np.diff(np.vstack([points[-1:], points, points[:1]]), axis=0)
-        headings = np.arctan2(*steps.T[::-1])
-        turns = (np.diff(headings) + math.pi) % (2 * math.pi) - math.pi
-        sharpest = max(sharpest, np.abs(turns).max())
-    return sharpest
-
-
-@pytest.mark.parametrize("width", [45.9, 46.0, 46.1, 52.0])
-def test_a_front_that_closes_a_channel_has_no_cusp(width):
-    # two discs and what joins them: the fronts between come nearer and nearer to each other
-    front = front_of_two_discs(20, width, box(0, -18, width, -8))
-    assert sharpest_turn(front) < math.radians(20)
-
-
-@pytest.mark.parametrize("gap", [2.0, 3.0, 3.5, 4.0, 4.3])
-def test_fronts_that_meet_leave_no_slim_tip(gap):
-    front = front_of_two_discs(40, 80 + gap, box(0, -40, 80 + gap, -32))
-    assert len(front.interiors) == 1
-    assert sharpest_turn(front) < math.radians(20)
