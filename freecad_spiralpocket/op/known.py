@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import shapely
 
+    from ..engine.toolpath import Toolpath
     from .adjacency import Adjacency
     from .open_sides import OpenSides
     from .selection import Floor
@@ -36,6 +37,8 @@ class Known:
     floors : dict of Floor
     walls : dict of Walls
     open_sides : dict of OpenSides
+    paths : dict of Toolpath or None
+        By the program of an earlier operation; None where it clears no floors.
     rests : dict of shapely.Geometry
         What earlier operations leave.
     """
@@ -46,12 +49,10 @@ class Known:
     floors: dict[Hashable, Floor] = field(default_factory=dict)
     walls: dict[Hashable, Walls] = field(default_factory=dict)
     open_sides: dict[Hashable, OpenSides] = field(default_factory=dict)
+    paths: dict[str, Toolpath | None] = field(default_factory=dict)
     rests: dict[Hashable, shapely.Geometry] = field(default_factory=dict)
 
-    def __len__(self) -> int:
+    @property
+    def count(self) -> int:
         """Return how many things are known."""
         return sum(len(getattr(self, each.name)) for each in fields(self))
-
-    def __bool__(self) -> bool:
-        """Return True: nothing known yet is still something to add to."""
-        return True

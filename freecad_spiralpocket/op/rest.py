@@ -11,7 +11,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -41,8 +40,6 @@ MORE = 0.005
 AROUND = 10.0
 #: Where no feed is given any will do here [mm/s].
 ANY_FEED = 1.0
-#: So many paths are not read anew.
-KEPT = 4
 #: Words of a path that turns the part.
 _TURNS = re.compile(r"\b[ABC]\s*[-+.\d]")
 
@@ -59,7 +56,7 @@ def rest_of(wanted: PocketRequest, obj: Any, known: Known) -> PocketRequest:
     known : Known
         See `Pockets`.
     """
-    cutters = list(_cutters_before(obj))
+    cutters = list(cutters_before(obj))
 
     def standing(section: Section) -> shapely.Geometry:
         return _standing((section.pocket, section.z), cutters, wanted, known)
@@ -131,7 +128,7 @@ def _standing(
     floor : tuple of shapely.Polygon and float
         The pocket at the bottom of the level, and that bottom's Z [mm].
     cutters : sequence of tuple
-        See `_cutters_before`.
+        See `cutters_before`.
     wanted, known
         See `rest_of`.
     """
@@ -140,7 +137,7 @@ def _standing(
     for program, diameter in cutters:
         key = (program, diameter, rest.wkb, z, wanted.axial_depth)
         if key not in known.rests:
-            pieces = _pieces(program, diameter / 2, z, wanted.axial_depth)
+            pieces = _pieces(program, diameter / 2, z, wanted.axial_depth, known)
             known.rests[key] = rest
             if pieces is not None:
                 known.rests[key] = uncut_floor(rest, pieces, z + SHALLOW, diameter / 2, 0.0)
@@ -173,7 +170,7 @@ def operations_before(obj: Any) -> Iterator[Any]:
             yield operation
 
 
-def _cutters_before(obj: Any) -> Iterator[tuple[str, float]]:
+def cutters_before(obj: Any) -> Iterator[tuple[str, float]]:
     """Yield the programs before this one that may clear floors, and their cutters' widths [mm]."""
     for operation in operations_before(obj):
         controller = operation_property(operation, "ToolController")
@@ -184,15 +181,16 @@ def _cutters_before(obj: Any) -> Iterator[tuple[str, float]]:
             yield operation.Path.toGCode(), float(tool.Diameter)
 
 
-def _pieces(program: str, radius: float, floor: float, depth: float) -> Pieces | None:
+def _pieces(program: str, radius: float, floor: float, depth: float, known: Known) -> Pieces | None:
     """Return the motion of a path near the floor; None if it is none that clears a floor."""
-    path = _path(program)
+    if program not in known.paths:  # every level asks for it again
+        known.paths[program] = _path(program)
+    path = known.paths[program]
     return None if path is None else cut_into_pieces(path, radius, floor + 2 * SHALLOW, depth)
 
 
-@lru_cache(maxsize=KEPT)
 def _path(program: str) -> Toolpath | None:
-    """Return a path that may clear floors, None if it cannot; every level asks for it again."""
+    """Return a path that may clear floors, None if it cannot."""
     if _TURNS.search(re.sub(r"\([^)]*\)", "", program)):
         return None
     try:

@@ -68,7 +68,7 @@ def test_only_flat_cutters_have_cleared_a_floor(doc, monkeypatch):
     base = [(part, [face])]
     api.add_spiral_pocket(job, base, **QUICK)
     last = api.add_spiral_pocket(job, base, **QUICK)
-    assert len(list(rest._cutters_before(last))) == 1
+    assert len(list(rest.cutters_before(last))) == 1
     for shape in (*ROUND_TOOLS, *UNSUITABLE_TOOLS, "", "custom", "mine"):
         monkeypatch.setattr(rest, "tool_shape", lambda tool, shape=shape: shape)
-        assert not list(rest._cutters_before(last)), shape
+        assert not list(rest.cutters_before(last)), shape

@@ -181,7 +181,7 @@ class Outlook:
 
     def _look(self) -> None:
         """Foresee the requests; keep the pockets that stayed the same."""
-        if len(self.known) > MOST_KNOWN:
+        if self.known.count > MOST_KNOWN:
             self.known = Known()
         try:
             require_libraries()
