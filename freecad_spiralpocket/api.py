@@ -23,8 +23,9 @@ from typing import Any
 
 import FreeCAD
 
+from . import posting
 from .engine.errors import RequestError, SelectionError, SetupError
-from .op import compat, operation, properties, request, selection
+from .op import compat, operation, properties, selection
 
 _NO_FLOORS = (
     "The floors are not given as parts with names of faces.",
@@ -140,11 +141,8 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
         raise SetupError(f"{job} is no job.", "Give a CAM job of an open document.")
     if not isinstance(path, str | os.PathLike):
         raise SetupError(f"{path} is no file to write.", "Give its path.")
-    for op in _active(job):
-        if _is_ours(op) and op.UseRestMachining:
-            op.touch()  # a document may have been changed where the add-on was not
-    job.Document.recompute()  # a tool or a part that has changed touches no operation before
-    _check_paths(job)
+    posting.refresh(job)
+    posting.check(job)
     with compat.active_document(job.Document):
         try:
             gcode = compat.post_process(job, str(post), args or "")
@@ -164,41 +162,6 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
             f"Cannot write {path}: {error.strerror}.", "Choose another file."
         ) from error
     return gcode
-
-
-def _active(job: Any) -> list[Any]:
-    return [op for op in job.Operations.Group if getattr(op, "Active", True)]
-
-
-def _is_ours(op: Any) -> bool:
-    return isinstance(getattr(op, "Proxy", None), operation.ObjectSpiralPocket)
-
-
-def _check_paths(job: Any) -> None:
-    """Refuse to write a program that would do nothing, is out of date, or leaves a pocket out."""
-    active = _active(job)
-    for op in active:
-        failed = next((o for o in (op, *op.OutListRecursive) if not o.isValid()), None)
-        if failed is not None:
-            raise SetupError(
-                f"{failed.Label} could not be computed: the path of {op.Label} may be out of date.",
-                "FreeCAD's report view says why; mend it, or unset Active to do without "
-                "the operation.",
-            )
-        if _is_ours(op) and not compat.has_motion(op.Path):
-            why = next(iter(op.Notices), "It was not computed.")
-            raise SetupError(
-                f"{op.Label} has no path. {why}", "Mend it, or unset Active to do without it."
-            )
-        missing = request.missing_feeds(op.ToolController) if _is_ours(op) else ""
-        if missing:
-            raise SetupError(
-                f"{op.ToolController.Label} has no {missing}; {op.Label} would be a program "
-                "without feeds, which no machine runs as it is meant.",
-                "Set the horizontal and vertical feed in the tool controller.",
-            )
-    if not any(compat.has_motion(op.Path) for op in active):
-        raise SetupError(f"No active operation of {job.Label} has a path.", "Add one to the job.")
 
 
 def _check_values(values: dict[str, Any]) -> None:

@@ -60,7 +60,8 @@ ALLOWED = {
         *(STANDARD | FREECAD | WINDOW | {"numpy", "matplotlib"}),
         *own("engine", "beside", "op", "trace"),
     },
-    "api": STANDARD | FREECAD | own("engine", "op"),
+    "posting": STANDARD | own("engine", "op"),
+    "api": STANDARD | FREECAD | own("engine", "op", "posting"),
     "cli": STANDARD | FREECAD | own("engine", "op", "api", "arguments", "picture"),
 }
 

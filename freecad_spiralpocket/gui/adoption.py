@@ -17,8 +17,6 @@ import FreeCAD
 translate = FreeCAD.Qt.translate
 
 OPERATION_MODULE = "freecad_spiralpocket.op.operation"
-#: A property that no operation of FreeCAD's own has.
-MARK = "SpiralCurve"
 
 
 class Adopter:
@@ -37,16 +35,14 @@ class Adopter:
 
 def revive(document: Any) -> None:
     """Take over what was saved without the add-on; only a document that opens has such."""
-    lost = [
-        obj
-        for obj in document.findObjects("Path::Feature")
-        if getattr(obj, "Proxy", obj) is None and MARK in obj.PropertiesList
-    ]
-    if not lost:
+    from ..op.lost import lost  # not at FreeCAD's start
+
+    found = lost(document)
+    if not found:
         return
     from ..op.operation import ObjectSpiralPocket
 
-    for obj in lost:
+    for obj in found:
         ObjectSpiralPocket.revive(obj)
         told = translate(
             "SpiralPocket",

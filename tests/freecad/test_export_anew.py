@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Programs are computed from what stands in the document when they are written."""
+
+import FreeCAD
+import pytest
+from sample_parts import QUICK, small_job
+
+from freecad_spiralpocket import api
+
+
+@pytest.fixture
+def op(doc):
+    """Return an operation with a path."""
+    job, part, face = small_job(doc)
+    return api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+
+
+@pytest.fixture
+def job(op):
+    """Return its job."""
+    return op.Document.getObject("Job")
+
+
+def stretch(part):
+    """Make a part twice as long."""
+    longer = FreeCAD.Matrix()
+    longer.scale(2, 1, 1)
+    part.Shape = part.Shape.transformGeometry(longer)
+
+
+def test_what_was_saved_without_the_addon_is_computed_anew(op, tmp_path):
+    file, far = str(tmp_path / "job.FCStd"), op.Path.BoundBox.XMax
+    op.Proxy = None  # as FreeCAD has it then
+    op.Document.saveAs(file)
+    FreeCAD.closeDocument(op.Document.Name)
+    document = FreeCAD.openDocument(file)
+    try:
+        stretch(document.getObject("Part"))
+        again = document.getObject("SpiralPocket")
+        assert again.Proxy is None
+        api.export(document.getObject("Job"), tmp_path / "part.ngc")
+        assert again.Path.BoundBox.XMax > 1.5 * far
+    finally:
+        FreeCAD.closeDocument(document.Name)
