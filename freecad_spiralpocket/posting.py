@@ -13,12 +13,15 @@ from .op.operation import ObjectSpiralPocket
 
 
 def refresh(job: Any) -> None:
-    """Compute what has changed in a job: a tool or a part touches no operation before."""
+    """Compute all of a job anew that may have changed.
+
+    Stock, tools and parts touch no operation, and the document may have been changed where the
+    add-on was not; a pocket that is as it was keeps its plan.
+    """
     for obj in lost(job.Document):
         ObjectSpiralPocket.revive(obj)
     for obj in _ours(job):
-        if obj.UseRestMachining:
-            obj.touch()  # a document may have been changed where the add-on was not
+        obj.touch()
     job.Document.recompute()
 
 

@@ -21,6 +21,18 @@ def job(op):
     return op.Document.getObject("Job")
 
 
+class Dressup:
+    """The proxy of a dressup that leaves a path as it is."""
+
+    def __init__(self, base):
+        obj = base.Document.addObject("Path::FeaturePython", "Dressup")
+        obj.addProperty("App::PropertyLink", "Base", "Path", "")
+        obj.Base, obj.Proxy = base, self
+
+    def execute(self, obj):
+        obj.Path = obj.Base.Path
+
+
 def stretch(part):
     """Make a part twice as long."""
     longer = FreeCAD.Matrix()
@@ -42,3 +54,21 @@ def test_what_was_saved_without_the_addon_is_computed_anew(op, tmp_path):
         assert again.Path.BoundBox.XMax > 1.5 * far
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+@pytest.mark.parametrize("is_dressed", [False, True])
+def test_stock_that_has_changed_counts(op, job, tmp_path, is_dressed):
+    if is_dressed:
+        Dressup(op)
+        job.Operations.Group = [op.Document.getObject("Dressup")]
+        op.Document.recompute()
+    job.Stock.ExtZpos = 15
+    op.Document.recompute()
+    api.export(job, tmp_path / "part.ngc")
+    assert op.Path.Commands[1].Parameters["Z"] > job.Stock.Shape.BoundBox.ZMax
+
+
+def test_what_is_as_it_was_keeps_its_plan(op, job, tmp_path):
+    (plan,) = op.Proxy.plans
+    api.export(job, tmp_path / "part.ngc")
+    assert op.Proxy.plans[0] is plan
