@@ -156,7 +156,7 @@ class ObjectSpiralPocket(KeepsNothing, PathOp.ObjectOp):
         Overrides the base class, which returns early with the old path in place when there is
         no job or no tool, and keeps it when `opExecute` raises.
         """
-        self.errors, self.plans, self._earlier = [], [], self.plans
+        self.errors, self.plans, self._earlier = [], [], self.plans or self._earlier
         self.before = names_before(obj)
         obj.Path = Path.Path()
         obj.SpiralCurve = Part.Shape()

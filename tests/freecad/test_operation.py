@@ -181,6 +181,15 @@ def test_what_does_not_touch_the_path_plans_nothing(op, monkeypatch):
     assert gcode(op) == before and op.isValid()
 
 
+@pytest.mark.parametrize(("name", "off", "on"), [("Active", False, True), ("Tolerance", 0, 0.01)])
+def test_after_a_recompute_without_a_path_nothing_is_planned_again(op, name, off, on):
+    (plan,) = op.Proxy.plans
+    for value in (off, on):
+        setattr(op, name, value)
+        op.Document.recompute()
+    assert op.Proxy.plans[0] is plan
+
+
 def test_coolant_is_left_to_the_post(op):
     op.CoolantMode = "Flood"
     op.Document.recompute()
