@@ -24,7 +24,7 @@ import Path
 from ..engine.dependencies import require_libraries
 from ..engine.errors import CancelledError, SetupError, SpiralPocketError
 from ..engine.model import Plan, Progress
-from . import commands, properties, results, selection
+from . import commands, properties, results, selection, setup_sheet
 from .compat import (
     KeepsNothing,
     PathLog,
@@ -90,11 +90,14 @@ class ObjectSpiralPocket(KeepsNothing, PathOp.ObjectOp):
     def initOperation(self, obj: Any) -> None:  # noqa: N802
         """Add the properties; `obj` may be the setup sheet's prototype."""
         properties.create(obj)
+        if hasattr(obj, "DoNotSetDefaultValues"):
+            setup_sheet.mend(obj)
 
     def opSetDefaultValues(self, obj: Any, job: Any) -> None:  # noqa: N802
         """Set the defaults and what the user prefers; presets of the setup sheet follow."""
         properties.set_defaults(obj)
         properties.set_preferred(obj)
+        setup_sheet.renew(job.SetupSheet, obj, NAME)
 
     def opOnDocumentRestored(self, obj: Any) -> None:  # noqa: N802
         """Bring documents of older releases up to date."""

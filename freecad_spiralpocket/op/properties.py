@@ -258,16 +258,7 @@ def create(obj: Any) -> list[Property]:
             setattr(obj, p.name, list(p.choices))
     for p in TABLE:
         obj.setEditorMode(p.name, p.editor_mode)
-    if hasattr(obj, "DoNotSetDefaultValues"):
-        _mend_prototype(obj)
     return added
-
-
-def _mend_prototype(prototype: Any) -> None:
-    """Let the setup sheet read "False" from a job template as no, which FreeCAD takes for yes."""
-    for p in TABLE:
-        if p.type == "App::PropertyBool":
-            prototype.getProperty(p.name).valueFromString = "True".__eq__
 
 
 def set_defaults(obj: Any, rows: tuple[Property, ...] | list[Property] = TABLE) -> None:
@@ -287,6 +278,21 @@ def set_preferred(obj: Any) -> None:
                 setattr(obj, p.name, value)
 
 
+def offered(p: Property, value: str) -> list[str]:
+    """Return the choices of an enumeration that holds a value: another user's machine stays."""
+    is_foreign = p.name == "Machine" and value not in p.choices
+    return [*p.choices, value] if is_foreign else list(p.choices)
+
+
+def renew_choices(obj: Any, name: str, p: Property) -> None:
+    """Bring the choices of an enumeration up to this release; what is no choice becomes default."""
+    value = getattr(obj, name)
+    choices = offered(p, value)
+    if choices != obj.getEnumerationsOfProperty(name):
+        setattr(obj, name, choices)
+        setattr(obj, name, value if value in choices else p.default)
+
+
 def migrate(obj: Any) -> None:
     """Bring the properties of a restored document up to this release.
 
@@ -295,12 +301,8 @@ def migrate(obj: Any) -> None:
     """
     added = create(obj)
     for p in TABLE:
-        if p.choices and list(p.choices) != obj.getEnumerationsOfProperty(p.name):
-            value = getattr(obj, p.name)
-            foreign = p.name == "Machine" and value not in p.choices  # another user's own
-            setattr(obj, p.name, [*p.choices, value] if foreign else list(p.choices))
-            if value in p.choices or foreign:
-                setattr(obj, p.name, value)
+        if p.choices:
+            renew_choices(obj, p.name, p)
     if added or obj.SchemaVersion < SCHEMA_VERSION:
         set_defaults(obj, added)
 

@@ -8,6 +8,7 @@ from sample_parts import add_job
 
 from freecad_spiralpocket import machines
 from freecad_spiralpocket.op import operation, preferences, presets, properties, request
+from freecad_spiralpocket.op.compat import PathSetupSheet
 
 #: One value other than the default for every option that a preset may hold.
 OTHERS = {
@@ -72,6 +73,29 @@ def test_a_job_template_carries_every_option(doc, job, wanted):
     other.SetupSheet.Proxy.setFromTemplate(decoded)
     made = values(new(other))
     assert {name: made[name] for name in wanted} == pytest.approx(wanted)
+
+
+def test_a_template_of_another_user_is_read_as_far_as_it_is_known(job):
+    foreign = {"Machine": "theirs", "Strategy": "Trochoidal", "SlowdownPercent": "60"}
+    job.SetupSheet.Proxy.setFromTemplate({operation.NAME: foreign})
+    made = new(job)
+    assert (made.Machine, made.SlowdownPercent) == ("theirs", 60)
+    assert made.Strategy == properties.choices()["Strategy"][0]
+    presets.keep(made)
+    assert new(job).Machine == "theirs"
+
+
+def test_a_setup_sheet_of_another_user_is_read_as_far_as_it_is_known(job):
+    first = new(job)
+    for name, value in OTHERS.items():
+        setattr(first, name, value)
+    presets.keep(first)
+    for name in ("Machine", "Strategy"):
+        option = PathSetupSheet.OpPropertyName(operation.NAME, name)
+        setattr(job.SetupSheet, option, ["theirs"])
+        setattr(job.SetupSheet, option, "theirs")
+    strategy = properties.choices()["Strategy"][0]
+    assert values(new(job)) == pytest.approx(OTHERS | {"Machine": "theirs", "Strategy": strategy})
 
 
 def test_preferences_set_new_operations_and_the_setup_sheet_goes_before_them(job, parameters):
