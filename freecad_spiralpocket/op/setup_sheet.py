@@ -10,8 +10,15 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
+import FreeCAD
+
 from . import properties
 from .compat import PathSetupSheet
+
+LENGTHS = ("App::PropertyLength", "App::PropertyDistance")
+#: A length in the sheet is a text, of which FreeCAD's templates take all.
+_TEXT = "App::PropertyString"
+_Quantity = FreeCAD.Units.Quantity
 
 
 def mend(prototype: Any) -> None:
@@ -23,6 +30,11 @@ def mend(prototype: Any) -> None:
             prop = prototype.getProperty(p.name)
             prop.valueFromString = partial(_choice_of, p)
             prop.setupProperty = partial(_set_choice, prop, p)
+        elif p.type in LENGTHS:
+            prop = prototype.getProperty(p.name)
+            prop.valueFromString = partial(_length_of, p)
+            prop.setValue = partial(_show_length, prop)
+            prop.setupProperty = partial(_set_length, prop)
 
 
 def renew(sheet: Any, obj: Any, operation: str) -> None:
@@ -47,4 +59,29 @@ def _set_choice(
         sheet.addProperty(prop.propType, name, category, prop.info)
     setattr(sheet, name, properties.offered(p, value))
     setattr(sheet, name, value)
+    return is_new
+
+
+def _length_of(p: properties.Property, text: str) -> Any:
+    """Return a length, the default for what is none or was rounded to nothing."""
+    try:
+        length = _Quantity(text)
+    except (ValueError, ArithmeticError, RuntimeError, OSError):
+        length = None
+    return length if length is not None and length.Value else _Quantity(p.default)
+
+
+def _show_length(prop: Any, value: Any) -> None:
+    """Take a length from the sheet, for the job's editor."""
+    prop.value = _Quantity(value)
+
+
+def _set_length(prop: Any, sheet: Any, name: str, category: str, value: Any) -> bool:
+    """Do what FreeCAD's ``setupProperty`` does; return whether the property was added."""
+    if hasattr(sheet, name) and sheet.getTypeIdOfProperty(name) != _TEXT:
+        sheet.removeProperty(name)
+    is_new = not hasattr(sheet, name)
+    if is_new:
+        sheet.addProperty(_TEXT, name, category, prop.info)
+    setattr(sheet, name, f"{_Quantity(value).Value!r} mm")
     return is_new

@@ -59,8 +59,20 @@ def test_options_become_the_jobs_default(job):
     assert values(new(job)) == pytest.approx(OTHERS)
 
 
-@pytest.mark.parametrize("wanted", [OTHERS, {"UseOutline": False, "FinishingProfile": True}])
-def test_a_job_template_carries_every_option(doc, job, wanted):
+#: What would be nothing in the decimals that are shown.
+FINE = {"Tolerance": 0.002, "SlotBite": 0.1234, "StockToLeave": -0.0625, "ZStockToLeave": 0.003}
+
+
+@pytest.fixture(params=[0, 3], ids=["mm", "inch"])
+def schema(request):
+    """Set the units that are shown."""
+    FreeCAD.Units.setSchema(request.param)
+    yield
+    FreeCAD.Units.setSchema(0)
+
+
+@pytest.mark.parametrize("wanted", [OTHERS, {"UseOutline": False, "FinishingProfile": True}, FINE])
+def test_a_job_template_carries_every_option(doc, job, wanted, schema):
     first = new(job)
     for name, value in wanted.items():
         setattr(first, name, value)
@@ -83,6 +95,41 @@ def test_a_template_of_another_user_is_read_as_far_as_it_is_known(job):
     assert made.Strategy == properties.choices()["Strategy"][0]
     presets.keep(made)
     assert new(job).Machine == "theirs"
+
+
+@pytest.mark.parametrize("text", ["0.00 in", "fine"])
+def test_a_tolerance_that_a_template_has_lost_is_the_default(job, text):
+    lengths = {"Tolerance": text, "SlotBite": "0.00 in", "StockToLeave": "0.2"}
+    job.SetupSheet.Proxy.setFromTemplate({operation.NAME: lengths})
+    made = values(new(job))
+    assert {name: made[name] for name in lengths} == pytest.approx(
+        {"Tolerance": 0.01, "SlotBite": 0, "StockToLeave": 0.2}
+    )
+
+
+def test_lengths_that_an_older_setup_sheet_holds_are_taken_and_renewed(job):
+    name = PathSetupSheet.OpPropertyName(operation.NAME, "SlotBite")
+    job.SetupSheet.addProperty("App::PropertyLength", name)
+    setattr(job.SetupSheet, name, 0.4)
+    made = new(job)
+    assert made.SlotBite.Value == 0.4
+    made.SlotBite = 0.1234
+    presets.keep(made)
+    assert getattr(job.SetupSheet, name) == "0.1234 mm"
+
+
+def test_the_jobs_editor_shows_lengths(job):
+    presets.keep(new(job))
+    prototype = PathSetupSheet._RegisteredOps[operation.NAME].prototype(operation.NAME)
+    name = PathSetupSheet.OpPropertyName(operation.NAME, "Tolerance")
+    shown = prototype.getProperty("Tolerance")
+    shown.setValue(getattr(job.SetupSheet, name))
+    assert shown.displayString() == shown.getValue().getUserPreferred()[0]
+    assert shown.getValue().Value == 0.01
+    shown.setValue(FreeCAD.Units.Quantity("0.05 mm"))
+    group = PathSetupSheet.OpPropertyGroup(operation.NAME)
+    assert not shown.setupProperty(job.SetupSheet, name, group, shown.getValue())
+    assert new(job).Tolerance.Value == 0.05
 
 
 def test_a_setup_sheet_of_another_user_is_read_as_far_as_it_is_known(job):
