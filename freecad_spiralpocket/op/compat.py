@@ -64,6 +64,7 @@ __all__ = [
     "post_process",
     "said_by",
     "set_end_mill",
+    "spindle_start",
     "supplied_tool_controller",
     "tool_name",
     "tool_shape",
@@ -173,6 +174,17 @@ def flat_end(tool: Any) -> float:
 def tool_name(tool: Any) -> str:
     """Return what the user calls a tool; the legacy tools of 0.20 have no label."""
     return str(tool.Label if hasattr(tool, "Label") else tool.Name)
+
+
+def spindle_start(tool_controller: Any) -> str | None:
+    """Return what starts the spindle, "M3" or "M4", "" if nothing does; None if not known yet.
+
+    Up to 1.0 the tool controller says the direction, from 1.1 on the tool.
+    """
+    if "Touched" in tool_controller.State:
+        return None
+    names = {command.Name for command in tool_controller.Path.Commands}
+    return next((name for name in ("M3", "M4") if name in names), "")
 
 
 class _Chosen:

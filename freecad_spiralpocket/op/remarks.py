@@ -13,7 +13,7 @@ from shapely import Polygon
 
 from ..engine.errors import told_area
 from ..engine.model import Heights, Notice, PocketRequest
-from .compat import flat_end, parent_job, tool_name, tool_shape
+from .compat import flat_end, parent_job, spindle_start, tool_name, tool_shape
 from .level import SAME_HEIGHT
 from .rest import operations_before
 from .selection import PICK_ALL
@@ -185,11 +185,19 @@ def tool(controller: Any, depth: float, reach: float, stepover: float) -> list[N
                 "Set it in the tool controller, unless you start the spindle by hand.",
             )
         )
-    if controller.SpindleDir == "Reverse":
+    elif spindle_start(controller) == "":
+        found.append(
+            Notice(
+                f"{controller.Label} does not start the spindle.",
+                "Set the spindle's direction there, or in the tool, unless you start it by hand.",
+            )
+        )
+    if spindle_start(controller) == "M4":
         found.append(
             Notice(
                 "The spindle runs in reverse; what CutMode calls climb is conventional then.",
-                "Set the tool controller's spindle to forward, or the other CutMode.",
+                "Set the spindle's direction in the tool controller or the tool, or the other "
+                "CutMode.",
             )
         )
     return found

@@ -1179,8 +1179,12 @@
         <translation>Waagerechten und senkrechten Vorschub in der Werkzeugsteuerung einstellen.</translation>
     </message>
     <message>
-        <source>Set the tool controller's spindle to forward, or the other CutMode.</source>
-        <translation>Die Spindel des Werkzeugcontrollers auf vorwärts stellen oder bei CutMode das andere wählen.</translation>
+        <source>Set the spindle's direction in the tool controller or the tool, or the other CutMode.</source>
+        <translation>Die Drehrichtung der Spindel im Werkzeugcontroller oder im Werkzeug auf vorwärts setzen, oder den anderen CutMode.</translation>
+    </message>
+    <message>
+        <source>Set the spindle's direction there, or in the tool, unless you start it by hand.</source>
+        <translation>Die Drehrichtung der Spindel dort oder im Werkzeug setzen, wenn sie nicht von Hand gestartet wird.</translation>
     </message>
     <message>
         <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
@@ -1541,6 +1545,10 @@
     <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>Mit {0} mm Aufmaß am Boden bleibt nichts zu fräsen.</translation>
+    </message>
+    <message>
+        <source>{0} does not start the spindle.</source>
+        <translation>{0} startet die Spindel nicht.</translation>
     </message>
     <message>
         <source>{0} has no face {1}.</source>

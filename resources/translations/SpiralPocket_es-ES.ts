@@ -1179,8 +1179,12 @@
         <translation>Ponga los avances horizontal y vertical en el controlador de herramienta.</translation>
     </message>
     <message>
-        <source>Set the tool controller's spindle to forward, or the other CutMode.</source>
-        <translation>Ponga el husillo del controlador de herramienta hacia delante, o el otro CutMode.</translation>
+        <source>Set the spindle's direction in the tool controller or the tool, or the other CutMode.</source>
+        <translation>Ponga el sentido de giro del husillo hacia delante en el controlador de herramienta o en la herramienta, o el otro CutMode.</translation>
+    </message>
+    <message>
+        <source>Set the spindle's direction there, or in the tool, unless you start it by hand.</source>
+        <translation>Ponga el sentido de giro del husillo ahí o en la herramienta, salvo que lo arranque a mano.</translation>
     </message>
     <message>
         <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
@@ -1541,6 +1545,10 @@
     <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>Con {0} mm de sobrematerial en el fondo no queda nada que cortar.</translation>
+    </message>
+    <message>
+        <source>{0} does not start the spindle.</source>
+        <translation>{0} no arranca el husillo.</translation>
     </message>
     <message>
         <source>{0} has no face {1}.</source>

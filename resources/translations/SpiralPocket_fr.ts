@@ -1179,8 +1179,12 @@
         <translation>Réglez les avances horizontale et verticale dans le contrôleur d'outil.</translation>
     </message>
     <message>
-        <source>Set the tool controller's spindle to forward, or the other CutMode.</source>
-        <translation>Réglez la broche du contrôleur d'outil en avant, ou l'autre CutMode.</translation>
+        <source>Set the spindle's direction in the tool controller or the tool, or the other CutMode.</source>
+        <translation>Réglez le sens de rotation de la broche sur avant dans le contrôleur d'outil ou dans l'outil, ou l'autre CutMode.</translation>
+    </message>
+    <message>
+        <source>Set the spindle's direction there, or in the tool, unless you start it by hand.</source>
+        <translation>Réglez le sens de rotation de la broche là ou dans l'outil, sauf si vous la démarrez à la main.</translation>
     </message>
     <message>
         <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
@@ -1541,6 +1545,10 @@
     <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>Avec {0} mm de surépaisseur au fond, il ne reste rien à usiner.</translation>
+    </message>
+    <message>
+        <source>{0} does not start the spindle.</source>
+        <translation>{0} ne démarre pas la broche.</translation>
     </message>
     <message>
         <source>{0} has no face {1}.</source>

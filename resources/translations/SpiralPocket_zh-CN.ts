@@ -1179,8 +1179,12 @@
         <translation>请在刀具控制器中设置水平和垂直进给。</translation>
     </message>
     <message>
-        <source>Set the tool controller's spindle to forward, or the other CutMode.</source>
-        <translation>请将刀具控制器的主轴设为正转，或选择另一种 CutMode。</translation>
+        <source>Set the spindle's direction in the tool controller or the tool, or the other CutMode.</source>
+        <translation>请在刀具控制器或刀具中将主轴设为正转，或设置另一种 CutMode。</translation>
+    </message>
+    <message>
+        <source>Set the spindle's direction there, or in the tool, unless you start it by hand.</source>
+        <translation>请在那里或在刀具中设置主轴转向，除非您手动启动主轴。</translation>
     </message>
     <message>
         <source>Spiral Pocket needs shapely 2, this FreeCAD has {0}.</source>
@@ -1541,6 +1545,10 @@
     <message>
         <source>With {0} mm of stock to leave on the floor nothing is left to cut.</source>
         <translation>底面余量 {0} mm，已无可切材料。</translation>
+    </message>
+    <message>
+        <source>{0} does not start the spindle.</source>
+        <translation>{0} 不会启动主轴。</translation>
     </message>
     <message>
         <source>{0} has no face {1}.</source>

@@ -309,7 +309,7 @@ def test_a_round_nosed_tool_is_used_with_a_notice(op, monkeypatch):
 def test_a_bull_nose_leaves_ridges_where_steps_are_wider_than_its_flat_end(has, told):
     tool = SimpleNamespace(ShapeType="Bullnose", Label="Bull", Diameter=6.0, **has)
     controller = SimpleNamespace(
-        Proxy=SimpleNamespace(getTool=lambda _: tool), SpindleSpeed=1000, SpindleDir="Forward"
+        Proxy=SimpleNamespace(getTool=lambda _: tool), SpindleSpeed=1000, State=["Touched"]
     )
     (notice,) = remarks.tool(controller, 5.0, 5.0, 2.4)
     assert told in str(notice)

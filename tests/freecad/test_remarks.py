@@ -92,16 +92,28 @@ def test_rapids_stay_above_the_safe_height_until_something_was_cut(job, heights)
     assert low
 
 
-def test_a_short_edge_and_a_spindle_in_reverse_are_told(job):
-    controller = job.Tools.Group[0]
-    controller.Tool.CuttingEdgeHeight = 2
-    controller.SpindleDir = "Reverse"
+def test_a_short_edge_is_told(job):
+    job.Tools.Group[0].Tool.CuttingEdgeHeight = 2
     op = cut(job)
-    assert told(op, "cutting edge is 2 mm long") and told(op, "in reverse")
+    assert told(op, "cutting edge is 2 mm long")
     op.setExpression("StepDown", None)
     op.StepDown = 1.5
     job.Document.recompute()
     assert not told(op, "cutting edge")
+
+
+@pytest.mark.parametrize("place", ["SpindleDir", "SpindleDirection"])
+@pytest.mark.parametrize("direction", ["Forward", "Reverse", "None"])
+def test_the_spindle_is_told_as_it_is_posted(job, tmp_path, place, direction):
+    controller = job.Tools.Group[0]
+    owner = controller if place == "SpindleDir" else controller.Tool
+    if not hasattr(owner, place):
+        pytest.skip("tools have no spindle direction here")
+    setattr(owner, place, direction)
+    op = cut(job)
+    words = api.export(job, tmp_path / "part.ngc").split()
+    assert told(op, "in reverse") == ("M4" in words)
+    assert told(op, "does not start the spindle") == (not {"M3", "M4"} & set(words))
 
 
 def test_a_tool_that_is_shorter_than_the_pocket_is_deep_is_told(job):

@@ -78,7 +78,10 @@ OF_CONTROLLER = (
     *("Label", "ToolNumber", "HorizFeed", "VertFeed", "HorizRapid", "VertRapid"),
     *("SpindleSpeed", "SpindleDir"),
 )
-OF_TOOL = ("Label", "Diameter", "CuttingEdgeHeight", "Flutes", "ShapeType", "ShapeName", "ToolType")
+OF_TOOL = (
+    *("Label", "Diameter", "CuttingEdgeHeight", "Flutes", "ShapeType", "ShapeName", "ToolType"),
+    "SpindleDirection",
+)
 
 
 #: Least width of a box to type into, in the font's height; a row that is wider is wrapped.
