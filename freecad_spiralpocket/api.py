@@ -93,8 +93,7 @@ def add_spiral_pocket(
         before.
     """
     _check_values(values)
-    if getattr(job, "Operations", None) is None or getattr(job, "Tools", None) is None:
-        raise SetupError(f"{getattr(job, 'Label', job)} is not a CAM job.", "Create a job first.")
+    _check_job(job)
     if job.Stock is None:
         raise SetupError(f"{job.Label} has no stock.", "Set one up in the job's editor.")
     links = _links(job, base)
@@ -137,8 +136,7 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
         if there is no such post-processor, it fails or writes nothing; or if the file cannot be
         written.
     """
-    if not hasattr(job, "Operations"):
-        raise SetupError(f"{job} is no job.", "Give a CAM job of an open document.")
+    _check_job(job)
     if not isinstance(path, str | os.PathLike):
         raise SetupError(f"{path} is no file to write.", "Give its path.")
     posting.refresh(job)
@@ -162,6 +160,16 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
             f"Cannot write {path}: {error.strerror}.", "Choose another file."
         ) from error
     return gcode
+
+
+def _check_job(job: Any) -> None:
+    """Refuse what is no job; a document has its Operations and Tools too, by their names."""
+    is_object = isinstance(job, FreeCAD.DocumentObject)
+    if not is_object or any(getattr(job, name, None) is None for name in ("Operations", "Tools")):
+        raise SetupError(
+            f"{getattr(job, 'Label', job)} is not a CAM job.",
+            "Give a job of an open document; getObject finds it by its name, Job for instance.",
+        )
 
 
 def _check_values(values: dict[str, Any]) -> None:

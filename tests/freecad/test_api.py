@@ -263,3 +263,15 @@ def test_wrong_values_are_refused_in_words(doc, change, words):
 def test_a_step_over_may_be_a_text(doc):
     job, part, face = small_job(doc)
     assert api.add_spiral_pocket(job, [(part, [face])], StepOver="30", **QUICK).StepOver == 30
+
+
+def test_only_jobs_are_exported_and_only_to_files(doc, tmp_path):
+    job, part, face = small_job(doc)
+    operation = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
+    for wrong in (operation, doc, None):
+        with pytest.raises(SetupError, match="is not a CAM job"):
+            api.export(wrong, tmp_path / "part.ngc")
+        with pytest.raises(SetupError, match="is not a CAM job"):
+            api.add_spiral_pocket(wrong, [(part, [face])])
+    with pytest.raises(SetupError, match="no file"):
+        api.export(job, None)

@@ -140,12 +140,3 @@ def test_export_refuses_a_path_of_a_part_that_failed(doc, tmp_path):
     doc.recompute()
     with pytest.raises(SetupError, match="Rounded could not be computed"):
         api.export(job, tmp_path / "stale.ngc")
-
-
-def test_only_jobs_are_exported_and_only_to_files(doc, tmp_path):
-    job, part, face = small_job(doc)
-    operation = api.add_spiral_pocket(job, [(part, [face])], **QUICK)
-    with pytest.raises(SetupError, match="no job"):
-        api.export(operation, tmp_path / "part.ngc")
-    with pytest.raises(SetupError, match="no file"):
-        api.export(job, None)
