@@ -139,16 +139,13 @@ def export(job: Any, path: str | os.PathLike[str], post: str = "linuxcnc", args:
     _check_job(job)
     if not isinstance(path, str | os.PathLike):
         raise SetupError(f"{path} is no file to write.", "Give its path.")
+    posting.check_post(str(post))
+    posting.check_file(path)
     posting.refresh(job)
     posting.check(job)
     with compat.active_document(job.Document):
         try:
             gcode = compat.post_process(job, str(post), args or "")
-        except LookupError as error:
-            raise SetupError(
-                f"FreeCAD has no post-processor {post}.",
-                "Choose one of its list, such as linuxcnc.",
-            ) from error
         except RuntimeError as error:
             raise SetupError(
                 f"The post-processor {post} made no program: {error}.", "Check its arguments."

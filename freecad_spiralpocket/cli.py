@@ -18,7 +18,7 @@ from typing import Any
 
 import FreeCAD
 
-from . import api
+from . import api, posting
 from .arguments import positive
 from .engine.errors import SelectionError, SetupError, SpiralPocketError
 from .engine.model import Progress
@@ -127,6 +127,11 @@ def run(args: argparse.Namespace) -> Any:
     for file in (args.output, args.png):  # a document may be saved where it was
         if file is not None and file.resolve() == args.part.resolve():
             raise SetupError(f"{file} is the part itself.", "Write to another file.")
+    for file in (args.output, args.png, args.fcstd):  # what is planned takes its time
+        if file is not None:
+            posting.check_file(file)
+    if args.output:
+        posting.check_post(args.post)
     document, outline = part_files.load(args.part, args.depth or DEPTH)
     if args.tool is None:
         args.tool = outline.get("tool")
@@ -302,7 +307,7 @@ def write(args: argparse.Namespace, job: Any, op: Any) -> None:
 
 
 def save(document: Any, path: Path) -> None:
-    """Write a FreeCAD document, and the folders that it needs.
+    """Write a FreeCAD document.
 
     Raises
     ------

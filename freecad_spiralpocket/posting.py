@@ -1,15 +1,34 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a job is to be posted with: computed anew, and refused where it is not what is meant."""
+"""What is to be posted: computed anew, and refused where it would not be what is meant."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 from .engine.errors import SetupError
 from .op import compat, request
 from .op.lost import lost
 from .op.operation import ObjectSpiralPocket
+
+
+def check_post(post: str) -> None:
+    """Raise `SetupError` if there is no such post-processor."""
+    if not compat.has_post(post):
+        raise SetupError(
+            f"FreeCAD has no post-processor {post}.", "Choose one of its list, such as linuxcnc."
+        )
+
+
+def check_file(path: str | os.PathLike[str]) -> None:
+    """Raise `SetupError` if the folder of a file to write is not there."""
+    folder = Path(path).absolute().parent
+    if not folder.is_dir():
+        raise SetupError(
+            f"Cannot write {path}: there is no folder {folder}.", "Make it, or choose another file."
+        )
 
 
 def refresh(job: Any) -> None:

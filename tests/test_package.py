@@ -62,7 +62,7 @@ ALLOWED = {
     },
     "posting": STANDARD | own("engine", "op"),
     "api": STANDARD | FREECAD | own("engine", "op", "posting"),
-    "cli": STANDARD | FREECAD | own("engine", "op", "api", "arguments", "picture"),
+    "cli": STANDARD | FREECAD | own("engine", "op", "api", "arguments", "picture", "posting"),
 }
 
 

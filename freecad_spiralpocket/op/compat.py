@@ -29,6 +29,7 @@ try:
     import Path.Log as PathLog
     import Path.Main.Job as PathJob
     import Path.Op.Base as PathOp
+    import Path.Preferences as PathPreferences
     import Path.Tool.Controller as PathToolController
 
     IS_LEGACY = False
@@ -37,6 +38,7 @@ except ImportError:
         PathJob,
         PathLog,
         PathOp,
+        PathPreferences,
         PathSetupSheet,
         PathToolController,
         PathUtil,
@@ -59,6 +61,7 @@ __all__ = [
     "add_tool_controller",
     "evaluate_constants",
     "has_motion",
+    "has_post",
     "operation_property",
     "parent_job",
     "post_process",
@@ -244,24 +247,25 @@ def set_end_mill(tool_controller: Any, diameter: float) -> None:
     tool_controller.Label = f"TC: {diameter:g} mm end mill"
 
 
+def has_post(post: str) -> bool:
+    """Return whether there is a post-processor of this name."""
+    folders = [*PathPreferences.searchPathsPost(), *sys.path]
+    files = (os.path.join(folder, f"{post}_post.py") for folder in folders)
+    return post.isidentifier() and any(map(os.path.isfile, files))
+
+
 def post_process(job: Any, post: str, args: str) -> str:
     """Return the G-code of all active operations of `job` by the post-processor `post`.
 
     Raises
     ------
-    LookupError
-        If there is no such post-processor.
     RuntimeError
         If the post-processor failed, or wrote no program.
     """
-    if not post.isidentifier():
-        raise LookupError(post)
     words = args if _QUIET in args else f"{args} {_QUIET}".strip()
     try:
         with _kept(job, "SplitOutput", False):  # else each piece would end the program
             sections = _export_legacy(job, post, words) if IS_LEGACY else _export(job, post, words)
-    except LookupError:
-        raise
     except SystemExit as error:  # argparse, which has told on the console what it dislikes
         raise RuntimeError("it does not know its arguments") from error
     except Exception as error:
@@ -297,7 +301,7 @@ def _export(job: Any, post: str, args: str) -> list[str]:
     with _kept(job, "PostProcessorArgs", args):
         processor = PostProcessorFactory.get_post_processor(job, post)
         if processor is None:
-            raise LookupError(post)
+            raise ImportError(post)
         return [gcode for _, gcode in processor.export() or []]
 
 
@@ -309,8 +313,6 @@ def _export_legacy(job: Any, post: str, args: str) -> list[str]:
     search_path = sys.path
     try:
         processor = PostProcessor.load(post)
-    except ImportError as error:
-        raise LookupError(post) from error
     finally:
         sys.path = search_path
     texts = []

@@ -211,16 +211,25 @@ def test_a_picture_and_another_post(one_pocket, tmp_path):
     assert (tmp_path / "p.png").read_bytes().startswith(PNG_SIGNATURE)
 
 
-def test_a_picture_without_matplotlib_or_folder_is_refused(
-    one_pocket, tmp_path, capsys, monkeypatch
-):
-    part = str(saved(one_pocket, tmp_path / "part.brep"))
-    picture = ["--png", str(tmp_path / "missing" / "p.png")]
-    assert cli.main([part, "--tool", "6", *picture, *QUICK]) == 1
-    assert "Cannot write" in capsys.readouterr().err
+def test_a_picture_without_matplotlib_is_refused(one_pocket, tmp_path, capsys, monkeypatch):
+    part, picture = saved(one_pocket, tmp_path / "part.brep"), str(tmp_path / "p.png")
     monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
-    assert cli.main([part, "--tool", "6", *picture, *QUICK]) == 1
+    assert cli.main([str(part), "--tool", "6", "--png", picture, *QUICK]) == 1
     assert "library matplotlib" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["-o", "--png", "--fcstd", "--post"])
+def test_where_nothing_can_be_written_nothing_is_planned(
+    one_pocket, tmp_path, capsys, monkeypatch, option
+):
+    part, folder = saved(one_pocket, tmp_path / "part.brep"), tmp_path / "missing"
+    monkeypatch.setattr(cli.api, "add_spiral_pocket", None)
+    asked = [option, str(folder / "file")]
+    if option == "--post":
+        asked = [option, "nosuch", "-o", str(tmp_path / "part.nc")]
+    assert cli.main([str(part), "--tool", "6", *asked]) == 1
+    words = "no post-processor nosuch" if option == "--post" else f"there is no folder {folder}"
+    assert words in capsys.readouterr().err and not folder.exists()
 
 
 @pytest.mark.parametrize(
