@@ -294,15 +294,41 @@ def _kept(obj: Any, name: str, value: Any) -> Iterator[None]:
             obj.purgeTouched()
 
 
+@contextmanager
+def _folder_for_a_while() -> Iterator[str]:
+    """Work in a folder that is removed in the end."""
+    before = os.getcwd()
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        try:
+            yield folder
+        finally:
+            os.chdir(before)
+
+
 def _export(job: Any, post: str, args: str) -> list[str]:
-    """Post with the factory of 1.0 and later, which takes its arguments from the job."""
+    """Post with the factory of 1.0 and later, which takes its arguments from the job.
+
+    It has scripts write to "-"; to some that is a file like any other.
+    """
     from Path.Post.Processor import PostProcessorFactory
 
     with _kept(job, "PostProcessorArgs", args):
         processor = PostProcessorFactory.get_post_processor(job, post)
         if processor is None:
             raise ImportError(post)
-        return [gcode for _, gcode in processor.export() or []]
+        with _folder_for_a_while() as folder:
+            return _written(processor, folder)
+
+
+def _written(processor: Any, folder: str) -> list[str]:
+    """Return what a post returns, or has written in the working folder."""
+    sections = [gcode for _, gcode in processor.export() or []]
+    file = os.path.join(folder, "-")
+    if any(sections) or not os.path.isfile(file):
+        return sections
+    with open(file, encoding="utf-8") as written:
+        return [written.read()]
 
 
 def _export_legacy(job: Any, post: str, args: str) -> list[str]:

@@ -72,3 +72,17 @@ def test_what_is_as_it_was_keeps_its_plan(op, job, tmp_path):
     (plan,) = op.Proxy.plans
     api.export(job, tmp_path / "part.ngc")
     assert op.Proxy.plans[0] is plan
+
+
+def test_a_post_that_writes_to_its_file_leaves_none_behind(job, tmp_path, monkeypatch):
+    (tmp_path / "filing_post.py").write_text(
+        "def export(objects, name, args):\n"
+        "    with open(name, 'w', encoding='utf-8') as file:\n"
+        "        file.write('G21\\nG90\\n(Größe)\\nM2\\n')\n"
+    )
+    monkeypatch.syspath_prepend(tmp_path)
+    folder = tmp_path / "working"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    assert api.export(job, "part.nc", "filing") == "G21\nG90\n(Größe)\nM2\n"
+    assert [file.name for file in folder.iterdir()] == ["part.nc"]
