@@ -21,7 +21,7 @@ from FreeCAD import Vector
 from shapely import Point, Polygon
 
 from ..engine.checks import NESTED
-from ..engine.errors import CutterDoesNotFitError
+from ..engine.errors import CutterDoesNotFitError, GeometryError
 from ..engine.levels import floors
 from ..engine.model import PocketRequest, Section
 from ..engine.shapes.region import polygons_of
@@ -112,6 +112,14 @@ class _Shapes:
 
     def at(self, z: float) -> Polygon:
         """Return the pocket at Z `z`."""
+        try:
+            return self._at(z)
+        except GeometryError:
+            # just above where a wall comes out of the part's side FreeCAD leaves pieces out;
+            # what is free a little lower is free here
+            return self._at(z - RIM)
+
+    def _at(self, z: float) -> Polygon:
         if z >= self._rim - ABOVE:
             z = self._rim - 2 * ABOVE
         free = self._walls.free(z)
@@ -134,13 +142,20 @@ class _Shapes:
         low, high = self._floor.z, min(z, self._open_from)
         while high - low > RIM:
             middle = (low + high) / 2
-            if self._walls.free(middle) is None:
-                high = middle
-            else:
+            if self._is_closed(middle):
                 low = middle
+            else:
+                high = middle
         self._open_from = high
         free = self._walls.free(low)
         return self._walls.outline if free is None else free
+
+    def _is_closed(self, z: float) -> bool:
+        """Return whether the walls go around at Z `z`; not where their outline cannot be told."""
+        try:
+            return self._walls.free(z) is not None
+        except GeometryError:
+            return False
 
     def ledges(self, low: float) -> list[float]:
         """Return the Z of level faces above `low` on which the pocket widens, highest first."""

@@ -29,8 +29,9 @@ from .triangles import SAG, is_patch, looking_down
 GRID = 1e-7
 #: Sections are taken this far above the height they are for [mm].
 ABOVE = 1e-3
-#: Now and then FreeCAD leaves a piece out, but not at all of these heights, over that.
-TRIES = (1.0, 2.0, 0.5)
+#: Now and then FreeCAD leaves a piece out, but not at all of these heights, over that; up to the
+#: last just above where a wall comes out of the part's side.
+TRIES = (1.0, 2.0, 0.5, 10.0)
 #: FreeCAD's sections of curved faces are out by up to this [mm].
 RIPPLE = 1e-4
 #: A wall is vertical that leans by no more than this [rad].
