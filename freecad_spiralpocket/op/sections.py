@@ -101,7 +101,8 @@ class _Shapes:
     def __init__(self, floor: Floor, walls: Walls, others: Sequence[Floor], top: float) -> None:
         self._floor, self._walls = floor, walls
         self._flats = sorted(walls.ledges(floor.z, top + ABOVE), reverse=True)
-        self._rim = self._open_from = float("inf")
+        self._rim = float("inf")
+        self._open_from = dict.fromkeys((False, True), self._rim)
         self._beside: dict[float, Polygon] = {}
         faces = [(o.z, o.face) for o in others if o.part.isSame(floor.part)]
         self._places = [Point(place_on(face)) for _, face in faces]
@@ -122,40 +123,60 @@ class _Shapes:
     def _at(self, z: float) -> Polygon:
         if z >= self._rim - ABOVE:
             z = self._rim - 2 * ABOVE
-        free = self._walls.free(z)
+        free = self._walled(z)
         if free is not None:
             return free
         if z not in self._beside:
-            self._beside[z] = self._walls.within(z, Polygon(self._below(z).exterior))
+            below = self._below(z, whole=False)
+            self._beside[z] = self._walls.within(z, Polygon(below.exterior))
         return self._beside[z]
 
-    def _below(self, z: float) -> Polygon:
-        """Return the pocket below Z `z`, as high as its walls go around."""
-        for height in (flat - 2 * ABOVE for flat, _ in self._flats if flat - ABOVE < z):
-            free = self._walls.free(height)
-            if free is not None:
-                return free
-        return self._at_rim(z)
+    def _walled(self, z: float) -> Polygon | None:
+        """Return the pocket at Z `z`, None where no wall goes around.
 
-    def _at_rim(self, z: float) -> Polygon:
-        """Return the pocket at its rim, where the walls are not closed at Z `z` any more."""
-        low, high = self._floor.z, min(z, self._open_from)
+        Rooms beside a bridge whose own walls do not are as below.
+        """
+        free = self._walls.free(z)
+        if free is None or not self._walls.lacks_rooms(free):
+            return free
+        if z not in self._beside:
+            below = self._below(z, whole=True)
+            rooms = self._walls.within(z, Polygon(below.exterior))
+            self._beside[z] = polygons_of(shapely.union(free, rooms))[0]
+        return self._beside[z]
+
+    def _below(self, z: float, *, whole: bool) -> Polygon:
+        """Return the pocket below Z `z`, as high as its walls go around, or `whole` around it."""
+        for height in (flat - 2 * ABOVE for flat, _ in self._flats if flat - ABOVE < z):
+            if self._goes_around(height, whole=whole):
+                break
+        else:
+            height = self._at_rim(z, whole=whole)
+        free = self._walled(height)
+        return self._walls.outline if free is None else free
+
+    def _at_rim(self, z: float, *, whole: bool) -> float:
+        """Return Z of the pocket's rim, where the walls do not go around at Z `z` any more."""
+        low, high = self._floor.z, min(z, self._open_from[whole])
         while high - low > RIM:
             middle = (low + high) / 2
-            if self._is_closed(middle):
+            if self._goes_around(middle, whole=whole):
                 low = middle
             else:
                 high = middle
-        self._open_from = high
-        free = self._walls.free(low)
-        return self._walls.outline if free is None else free
+        self._open_from[whole] = high
+        return low
 
-    def _is_closed(self, z: float) -> bool:
-        """Return whether the walls go around at Z `z`; not where their outline cannot be told."""
+    def _goes_around(self, z: float, *, whole: bool) -> bool:
+        """Return whether walls go around at Z `z`, around all rooms if `whole`.
+
+        Not where their outline cannot be told.
+        """
         try:
-            return self._walls.free(z) is not None
+            free = self._walls.free(z)
         except GeometryError:
             return False
+        return free is not None and not (whole and self._walls.lacks_rooms(free))
 
     def ledges(self, low: float) -> list[float]:
         """Return the Z of level faces above `low` on which the pocket widens, highest first."""

@@ -91,6 +91,7 @@ class Walls:
         self._overhangs: dict[int, tuple[Polygon, np.ndarray]] = {}
         self._plain: dict[float, bool] = {}
         self._core: Polygon | None = None
+        self._rooms: list[Polygon] = []
         self._hairs: list[Polygon] = []
         reached = list(self._reached(posts))
         self._around = [self._adjacency.faces[face] for face in reached]
@@ -134,6 +135,10 @@ class Walls:
         if z not in self._free:
             self._free[z] = self._find_free(z)
         return self._free[z]
+
+    def lacks_rooms(self, free: Polygon) -> bool:
+        """Return whether a room beside a bridge is none of what is free higher up."""
+        return any(shapely.intersection(r, free).area < r.area / 2 for r in self._rooms)
 
     def within(self, z: float, outline: Polygon) -> Polygon:
         """Return what is free at Z `z` and above, where no wall goes around.
@@ -266,7 +271,7 @@ class Walls:
             free = shapely.difference(free, self._others_at(z, free))
         parts = self._parts_at(core, free)
         if self._core is None and len(parts) > 1:
-            self._hairs = _hairs(parts)
+            self._rooms, self._hairs = parts, _hairs(parts)
         return next(iter(polygons_of(shapely.union_all([*parts, *self._hairs]))), Polygon())
 
     def _parts_at(self, core: Polygon, ground: shapely.Geometry) -> list[Polygon]:
