@@ -37,6 +37,8 @@ NEAR = 0.01
 HALVINGS = 12
 #: Gaps narrower than this, over the diameter of the cutter, are as good as closed.
 CLOSED = 0.1
+#: Rooms that are joined by ways narrower than twice this have nothing to do with each other [mm].
+HAIR = 1e-3
 #: More parts than this that the cutter cannot enter are told together.
 TOLD_ONE_BY_ONE = 3
 
@@ -64,13 +66,9 @@ def unreachable_notices(
         R, and what is left on the walls [mm].
     """
     target = grow(pocket, -stock) if stock else pocket
-    centers = MultiPolygon(regions)
-    # films along walls would join corners
-    reached = grow(centers, (1 + NEAR / 4) * cutter_radius)
-    rest = polygons_of(shapely.difference(target, reached))
-    rest = [piece for piece in rest if piece.area > LARGE * cutter_radius**2]
-    found = [_part(piece, target, centers, cutter_radius) for piece in rest]
-    parts = _joined([part for part in found if part is not None], cutter_radius)
+    rooms = [grow(room, HAIR) for room in polygons_of(grow(target, -HAIR))]
+    found = [part for room in rooms for part in _parts_in(room, regions, cutter_radius)]
+    parts = _joined(found, cutter_radius)
     cutter = 2 * cutter_radius
     if len(parts) > TOLD_ONE_BY_ONE:
         widest = max(parts, key=lambda part: (part.width, part.place))
@@ -92,6 +90,20 @@ def unreachable_notices(
         )
         for part in parts
     )
+
+
+def _parts_in(room: Polygon, regions: Sequence[Polygon], radius: float) -> list[_Part]:
+    """Return what stays in a room that no way leads to, the whole room if no center is in it."""
+    centers = MultiPolygon([region for region in regions if region.intersects(room)])
+    if centers.is_empty:
+        place, widest = widest_disc(room)
+        return [_Part(2 * widest, place, room.area)] if widest > TOLD_SHARE * radius else []
+    # films along walls would join corners
+    reached = grow(centers, (1 + NEAR / 4) * radius)
+    rest = polygons_of(shapely.difference(room, reached))
+    rest = [piece for piece in rest if piece.area > LARGE * radius**2]
+    found = [_part(piece, room, centers, radius) for piece in rest]
+    return [part for part in found if part is not None]
 
 
 def _advice(widths: Sequence[float], cutter: float) -> str:

@@ -160,6 +160,31 @@ def test_corners_are_nobodys_news():
     assert unreachable_notices(DUMBBELL, regions, 3.0, 0.0) == ()
 
 
+def beside_a_bridge(width, hair=1e-3, at=20.0):
+    """Return a room, and one so wide beyond a bridge, joined by a hair."""
+    rooms = [box(0, 0, 40, 20), box(0, 27, 40, 27 + width)]
+    return shapely.union_all([*rooms, box(at, 19, at + hair, 28)])
+
+
+@pytest.mark.parametrize("at", [0.0, 20.0, 40 - 1e-3])
+@pytest.mark.parametrize("stock", [0.0, 0.2])
+def test_corners_beside_a_bridge_are_no_neck(at, stock):
+    pocket = beside_a_bridge(20, at=at)
+    assert unreachable_notices(pocket, center_regions(pocket, 4.0, stock), 4.0, stock) == ()
+
+
+def test_rooms_that_also_meet_round_the_end_of_a_bridge_have_no_neck_beside_it():
+    pocket = shapely.union(beside_a_bridge(20, at=0.0), box(28, 0, 40, 47))
+    assert unreachable_notices(pocket, center_regions(pocket, 4.0, 0.0), 4.0, 0.0) == ()
+
+
+def test_a_room_beyond_a_bridge_is_told_with_its_own_width():
+    pocket = beside_a_bridge(4.1, at=0.0)
+    (notice,) = unreachable_notices(pocket, center_regions(pocket, 4.0, 0.0), 4.0, 0.0)
+    assert "4.1 mm neck" in notice.message and "164 mm2" in notice.message
+    assert notice.hint == "A cutter below 4.1 mm reaches it." and 27 < notice.place[1] < 32
+
+
 @given(st.floats(0.5, 40), st.floats(0.2, 20), st.floats(0, 0.2))
 def test_levels_go_down_by_no_more_than_the_step(depth, step_down, finish):
     finish = min(finish, step_down, depth)
