@@ -20,6 +20,8 @@ from ..engine.shapes.region import grow, polygons_of
 WALLED, NEAR = 0.5, 0.5
 #: What is closer together touches [mm].
 TOUCHES = 0.01
+#: What is narrower than twice this beside ground that was taken away is a film [mm].
+FILM = 1e-3
 
 
 class Belonging:
@@ -87,10 +89,17 @@ class Belonging:
         narrow = shapely.difference(ground, grow(shapely.union_all(kept), self._inset))
         ways = [piece for piece in polygons_of(narrow) if piece.intersects(near)]
         # what is under it has to be cut through it
-        away = shapely.difference(
-            shapely.union_all([near, *ways]), shapely.buffer(self._below, TOUCHES)
-        )
-        found = shapely.difference(ground, away)
+        away = shapely.difference(shapely.union_all([near, *ways]), self._below)
+        found = shapely.union(_without_films(shapely.difference(ground, away), away), self._below)
         parts = polygons_of(found)
         shares = [shapely.intersection(part, self._below).area for part in parts]
         return parts[shares.index(max(shares))] if parts else whole
+
+
+def _without_films(ground: shapely.Geometry, away: shapely.Geometry) -> shapely.Geometry:
+    """Return ground without films along the walls where something was taken away."""
+    wide = shapely.buffer(ground, -FILM)
+    wide = shapely.buffer(wide, 1.1 * FILM, join_style="mitre")
+    near = shapely.buffer(away, TOUCHES)
+    films = [p for p in polygons_of(shapely.difference(ground, wide)) if p.intersects(near)]
+    return shapely.difference(ground, shapely.union_all(films))

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is cut above ledges, ribs and bosses beside a selected floor, and what is none of it."""
 
+import math
+
 import numpy as np
 import Part
 import pytest
@@ -46,6 +48,29 @@ def test_pocket_beside_that_is_not_selected_is_left_alone(doc, gap, start):
     floor = Stock(Surface.of(shape), (10.5, 10.5, 39.5, 39.5), 0.5)
     floor.cut(reached, R + 0.02)
     assert (floor.heights > A + 0.01).sum() * 0.25 < 4 * R**2  # the corners
+
+
+def slot(x0, y0, x1, y1, width, z):
+    """Return a slot with round ends as a solid from `z` up."""
+    length = math.hypot(x1 - x0, y1 - y0)
+    whole = box(0, -width / 2, z, length, width, 60)
+    whole.rotate(Vector(), Vector(0, 0, 1), math.degrees(math.atan2(y1 - y0, x1 - x0)))
+    whole.translate(Vector(x0, y0, 0))
+    ends = [Part.makeCylinder(width / 2, 60, Vector(x, y, z)) for x, y in ((x0, y0), (x1, y1))]
+    return whole.fuse(ends).removeSplitter()
+
+
+def test_channel_hardly_wider_than_the_cutter_keeps_no_steps(doc):
+    shape = box(90, 50, -44, 150, 170, 44)
+    shape = shape.cut(box(120, 105, -20, 38, 90, 40)).cut(box(128, 98, -28, 22, 104, 60))
+    shape = shape.cut(slot(120, 70, 210, 95, 30, -34)).cut(slot(150, 110, 180, 92, 6.3, -26))
+    part = add_part(doc, shape.removeSplitter())
+    job = add_job(doc, part)
+    (floor,) = faces_at(part.Shape, -28.0)
+    op = api.add_spiral_pocket(job, [(part, [floor])], StepDown=6.0)
+    assert not [notice for notice in op.Notices if "keep steps" in notice]
+    areas = {section.pocket.area for section in op.Proxy.plans[0].request.sections}
+    assert len(areas) == 3  # of floor, channel and ledge
 
 
 def test_both_are_cut_where_both_are_selected(doc):
