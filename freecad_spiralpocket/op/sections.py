@@ -224,12 +224,14 @@ class _Shapes:
     ) -> list[Polygon]:
         """Leave out of the levels' shapes what is none of the pocket; return the levels' mouths."""
         own, found = Belonging(shapes[-1], inset), {}
+        part = self._floor.solid.BoundBox.ZMax
         for i in range(len(shapes) - 1, -1, -1):
             shapes[i] = own.of(shapes[i])
             top, bottom = tops[i : i + 2]
             just_below = ledges.get(top, top) - 2 * ABOVE
-            if i == 0 or top in ledges:
-                found[i] = own.reached(self.at(just_below))
+            if i == 0 or top in ledges or top > part:
+                # what is left above the part is no step on its walls
+                found[i] = own.reached(self.at(max(min(just_below, part - 2 * ABOVE), bottom)))
             if i > 0 and own.may_have_more(shapes[i - 1]):
                 ground = self._walls.ground(just_below if top in ledges else bottom)
                 own.leave_out(ground, shapes[i - 1], self._places)

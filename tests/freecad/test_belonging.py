@@ -73,6 +73,20 @@ def test_channel_hardly_wider_than_the_cutter_keeps_no_steps(doc):
     assert len(areas) == 3  # of floor, channel and ledge
 
 
+def test_stock_above_a_hub_beside_an_open_side_is_no_step(doc):
+    hub = Part.makeCylinder(45, 40, Vector(0, 0, -40))
+    at = 52 / math.sqrt(2)
+    lug = Part.makeCylinder(12, 14, Vector(at, at, -40))
+    shape = hub.fuse(lug).cut(Part.makeCylinder(7.5, 30, Vector(at, at, -31))).removeSplitter()
+    part = add_part(doc, shape)
+    job = add_job(doc, part, diameter=10.0)
+    job.Stock.ExtZpos = 1.0
+    doc.recompute()
+    op = api.add_spiral_pocket(job, [(part, faces_at(shape, -26.0))], StepDown=10.0)
+    assert len(gouges(Surface.of(shape), places(motion(op), 0.4), 5.0, 0.01)) == 0
+    assert not [notice for notice in op.Notices if "keep steps" in notice]
+
+
 def test_both_are_cut_where_both_are_selected(doc):
     shape = side_by_side(20.0, RIB)
     reached = centers(machined(doc, shape, A, B))
