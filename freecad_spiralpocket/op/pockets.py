@@ -259,7 +259,7 @@ class Pockets:
         self, label: str, floor: selection.Floor, floors: Sequence[selection.Floor]
     ) -> Found:
         """Return the request for the pocket above a floor, one of those selected."""
-        selection.check_stock(floor, self._obj, parent_job(self._obj).Stock.Shape.BoundBox)
+        selection.check_stock(floor, parent_job(self._obj).Stock.Shape.BoundBox)
         sag = min(max(self._obj.Tolerance.Value * SAG_SHARE, SAG_RANGE[0]), SAG_RANGE[1])
         beyond = self._open_sides(floor, sag)
         shapes = self._shapes

@@ -233,15 +233,15 @@ def depth_limits(base: list[tuple[Any, Any]], stock: Any) -> dict[str, float]:
     }
 
 
-def check_stock(floor: Floor, obj: Any, stock: Any) -> None:
-    """Check that a floor is not so far above the stock that the operation's heights are too low.
+def check_stock(floor: Floor, stock: Any) -> None:
+    """Check that a floor is not above the stock, given as its bounding box.
 
     Raises
     ------
     SetupError
     """
     above = floor.z - stock.ZMax
-    if above > SAME_HEIGHT and obj.SafeHeight.Value < obj.StartDepth.Value:
+    if above > SAME_HEIGHT:
         raise SetupError(
             f"The selected floor lies {above:.3g} mm above the stock.",
             "Look whether the stock is where it should be.",

@@ -319,9 +319,10 @@ def test_a_failed_call_inside_the_callers_undo_step_keeps_that_open(doc):
     doc.abortTransaction()
 
 
-def test_a_floor_above_the_stock_is_told_as_that(doc):
+@pytest.mark.parametrize("above", [3.0, 0.5])
+def test_a_floor_above_the_stock_is_told_as_that(doc, above):
     job, part, floor = small_job(doc)
-    job.Stock.ExtZpos = -9.0  # as where the model was moved and the stock was not
+    job.Stock.ExtZpos = -6.0 - above  # as where the model was moved and the stock was not
     doc.recompute()
-    with pytest.raises(SetupError, match="lies 3 mm above the stock"):
+    with pytest.raises(SetupError, match=f"lies {above:g} mm above the stock"):
         api.add_spiral_pocket(job, [(part, [floor])])
