@@ -126,11 +126,20 @@ def _largest(shape: Any, sag: float) -> Polygon:
 
 def holes(floor: Floor, sag: float) -> list[Polygon]:
     """Return the holes in a floor that are no islands, a sag too large or small."""
+    return _inside(floor, sag, are_islands=False)
+
+
+def islands(floor: Floor, sag: float) -> list[Polygon]:
+    """Return the feet of the islands on a floor, a sag too large or small."""
+    return _inside(floor, sag, are_islands=True)
+
+
+def _inside(floor: Floor, sag: float, *, are_islands: bool) -> list[Polygon]:
     outer = outer_wire(floor.face)
     return [
         Polygon(_ring(wire, sag, floor.label, counter_clockwise=True)).buffer(0)
         for wire in floor.face.Wires
-        if not wire.isSame(outer) and not is_island(floor, wire)
+        if not wire.isSame(outer) and is_island(floor, wire) == are_islands
     ]
 
 

@@ -18,6 +18,7 @@ from ..engine.model import Notice, Plan, PocketRequest, Progress
 from ..engine.proof.findings import uncut_allowed
 from . import (
     commands,
+    geometry,
     open_sides,
     remarks,
     request,
@@ -331,6 +332,8 @@ class Pockets:
             found.append(remarks.goes_on())
         if floor.open_edges:
             found.append(remarks.open_sides(wanted))
+        if self._obj.UseOutline and (away := geometry.islands(floor, SAG_RANGE[1])):
+            found.append(remarks.islands(sum(island.area for island in away)))
         if is_shared:
             found.append(remarks.others(kept_off))
         elif kept_off > remarks.TOLD_OVERHANG:

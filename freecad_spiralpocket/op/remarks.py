@@ -261,6 +261,14 @@ def goes_on() -> Notice:
     return Notice("The floor goes on beyond what is selected; that stays.", PICK_ALL)
 
 
+def islands(area: float) -> Notice:
+    """Tell how much floor the islands take that are left out [mm2]."""
+    return Notice(
+        f"Islands on {told_area(area)} mm2 of the floor are milled away.",
+        "Unset UseOutline if they shall stand.",
+    )
+
+
 def ledges(wanted: PocketRequest, others: Sequence[Polygon]) -> list[Notice]:
     """Tell how much is cleared above ledges beside the floor, if that is more than the floor.
 

@@ -879,6 +879,10 @@
         <translation>Mit dem Addon-Manager von FreeCAD installieren (sie gehört zu Spiral Pocket) oder mit pip in das Python von FreeCAD, dann FreeCAD neu starten.</translation>
     </message>
     <message>
+        <source>Islands on {0} mm2 of the floor are milled away.</source>
+        <translation>Inseln auf {0} mm2 des Bodens werden weggefräst.</translation>
+    </message>
+    <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>Isothermen bräuchte mehr als {0} Umläufe.</translation>
     </message>
@@ -1517,6 +1521,10 @@
     <message>
         <source>Turn the part over, or machine it from another side.</source>
         <translation>Das Werkstück umdrehen oder von einer anderen Seite bearbeiten.</translation>
+    </message>
+    <message>
+        <source>Unset UseOutline if they shall stand.</source>
+        <translation>UseOutline ausschalten, wenn sie stehen bleiben sollen.</translation>
     </message>
     <message>
         <source>Unset UseRestMachining to cut it all the same.</source>

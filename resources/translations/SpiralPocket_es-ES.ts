@@ -879,6 +879,10 @@
         <translation>Instálela con el gestor de complementos de FreeCAD (es una dependencia de Spiral Pocket) o con pip en el Python de FreeCAD y reinicie FreeCAD.</translation>
     </message>
     <message>
+        <source>Islands on {0} mm2 of the floor are milled away.</source>
+        <translation>Se eliminan al fresar las islas que ocupan {0} mm2 del fondo.</translation>
+    </message>
+    <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>Isotermas necesitaría más de {0} vueltas.</translation>
     </message>
@@ -1517,6 +1521,10 @@
     <message>
         <source>Turn the part over, or machine it from another side.</source>
         <translation>Dé la vuelta a la pieza o mecanícela desde otro lado.</translation>
+    </message>
+    <message>
+        <source>Unset UseOutline if they shall stand.</source>
+        <translation>Desactive UseOutline si deben quedar en pie.</translation>
     </message>
     <message>
         <source>Unset UseRestMachining to cut it all the same.</source>

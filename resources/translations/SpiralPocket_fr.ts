@@ -879,6 +879,10 @@
         <translation>Installez-la avec le gestionnaire d'extensions de FreeCAD (c'est une dépendance de Spiral Pocket) ou avec pip dans le Python de FreeCAD, puis relancez FreeCAD.</translation>
     </message>
     <message>
+        <source>Islands on {0} mm2 of the floor are milled away.</source>
+        <translation>Les îlots sur {0} mm2 du fond sont enlevés au fraisage.</translation>
+    </message>
+    <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>Isothermes demanderait plus de {0} tours.</translation>
     </message>
@@ -1517,6 +1521,10 @@
     <message>
         <source>Turn the part over, or machine it from another side.</source>
         <translation>Retournez la pièce, ou usinez-la d'un autre côté.</translation>
+    </message>
+    <message>
+        <source>Unset UseOutline if they shall stand.</source>
+        <translation>Désactivez UseOutline s'ils doivent rester.</translation>
     </message>
     <message>
         <source>Unset UseRestMachining to cut it all the same.</source>

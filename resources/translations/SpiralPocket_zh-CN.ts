@@ -879,6 +879,10 @@
         <translation>请用 FreeCAD 插件管理器安装（它是 Spiral Pocket 的依赖），或用 pip 装入 FreeCAD 所用的 Python，然后重启 FreeCAD。</translation>
     </message>
     <message>
+        <source>Islands on {0} mm2 of the floor are milled away.</source>
+        <translation>底面上占 {0} mm2 的岛屿将被铣掉。</translation>
+    </message>
+    <message>
         <source>Isotherm would need more than {0} laps.</source>
         <translation>“等温线”将需要超过 {0} 圈。</translation>
     </message>
@@ -1517,6 +1521,10 @@
     <message>
         <source>Turn the part over, or machine it from another side.</source>
         <translation>请翻转零件，或从另一侧加工。</translation>
+    </message>
+    <message>
+        <source>Unset UseOutline if they shall stand.</source>
+        <translation>若要保留它们，请关闭 UseOutline。</translation>
     </message>
     <message>
         <source>Unset UseRestMachining to cut it all the same.</source>

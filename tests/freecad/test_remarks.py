@@ -9,6 +9,7 @@ from sample_parts import (
     add_part,
     area,
     block,
+    circle,
     faces_at,
     motion,
     rectangle,
@@ -52,6 +53,18 @@ def test_what_is_probably_not_meant_is_told_before_and_after(job, options, words
     assert told(op, words)
     _, notices, _ = requests_of(op)
     assert any(words in str(notice) for notice in notices)
+
+
+def test_islands_that_are_milled_away_are_told(doc, job):
+    words = "Islands on 28 mm2 of the floor are milled away."
+    assert not told(cut(job, UseOutline=True), "Islands")
+    shape = block(area(rectangle(44, 38, 4), circle(3, 22, 19)))
+    part = add_part(doc, shape, "Other")
+    base = [(part, faces_at(shape, -DEPTH))]
+    with_island = add_job(doc, part)
+    assert not told(api.add_spiral_pocket(with_island, base), "Islands")
+    op = api.add_spiral_pocket(with_island, base, **QUICK, UseOutline=True)
+    assert told(op, words) and any(words in str(notice) for notice in requests_of(op)[1])
 
 
 def test_a_spindle_that_stands_is_told(job):

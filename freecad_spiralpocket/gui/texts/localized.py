@@ -65,6 +65,7 @@ LABELS = {
     "SlotBite": "Slot bite",
     "ExtendOpenSides": "Extend open sides",
     "UseRestMachining": "Use rest machining",
+    "UseOutline": "Ignore islands",
 }
 START_POINT = "StartPoint"
 #: FreeCAD's own pages, and their widgets with the labels for the properties that the engine names.
