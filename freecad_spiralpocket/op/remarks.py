@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
@@ -19,6 +20,10 @@ from .rest import operations_before
 from .selection import PICK_ALL
 from .tools import BULL_NOSES, ROUND_TOOLS
 
+#: Of so many pockets more that have much the same the notices are not told one by one.
+MANY = 3
+#: A figure in a notice.
+_FIGURE = re.compile(r"\d+(?:\.\d+)?")
 #: A smaller share of a pocket that was cleared before is none.
 LEAST_SHARE = 0.001
 #: Of a larger share no percentage is told: it would read as if nothing were left.
@@ -34,6 +39,8 @@ TOLD_BESIDE = 0.5
 def labelled(told: Sequence[tuple[str, Notice]], pockets: int) -> list[Notice]:
     """Return notices, each once with the labels of the pockets that have it, if not all have it.
 
+    Of many that differ in figures and places only the one with the largest figures.
+
     Parameters
     ----------
     told : sequence of (str, Notice)
@@ -42,14 +49,32 @@ def labelled(told: Sequence[tuple[str, Notice]], pockets: int) -> list[Notice]:
         How many there are.
     """
     labels: dict[Notice, dict[str, None]] = {}
+    alike: dict[tuple[str, ...], list[Notice]] = {}
     for label, notice in told:
         labels.setdefault(notice, {})[label] = None
-    return [
-        replace(notice, message=f"{'; '.join(having_it)}: {notice.message}")
-        if len(having_it) < pockets
-        else notice
-        for notice, having_it in labels.items()
-    ]
+    for notice in labels:
+        alike.setdefault(_words(notice), []).append(notice)
+    found: dict[Notice, None] = {}
+    for notice, having_it in labels.items():
+        same = alike[_words(notice)]
+        largest = max(same, key=lambda one: [float(n) for n in _FIGURE.findall(one.message)])
+        more = len({label for one in same for label in labels[one]}) - len(labels[largest])
+        shown = labels[largest]
+        if more < MANY:
+            largest, shown = notice, having_it
+        message = largest.message
+        if len(shown) < pockets:
+            message = f"{'; '.join(shown)}: {message}"
+        if more >= MANY:
+            much = f"Much the same is told of {more} more pockets."
+            message = f"{message} {much}"
+        found[replace(largest, message=message)] = None
+    return list(found)
+
+
+def _words(notice: Notice) -> tuple[str, ...]:
+    """Return a notice without its figures."""
+    return tuple(_FIGURE.sub("", text) for text in (notice.message, notice.hint))
 
 
 def setup(wanted: PocketRequest, floor: float, obj: Any) -> list[Notice]:

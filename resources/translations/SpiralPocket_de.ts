@@ -967,6 +967,10 @@
         <translation>Diese Operation hinter die mit dem größeren Fräser schieben oder UseRestMachining ausschalten. Nur flache Schaftfräser zählen: runde hinterlassen Rillen.</translation>
     </message>
     <message>
+        <source>Much the same is told of {0} more pockets.</source>
+        <translation>Fast dasselbe gilt für {0} weitere Taschen.</translation>
+    </message>
+    <message>
         <source>No cutter goes through so narrow a gap; check the model.</source>
         <translation>Durch einen so engen Spalt kommt kein Fräser; das Modell prüfen.</translation>
     </message>

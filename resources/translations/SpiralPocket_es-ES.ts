@@ -967,6 +967,10 @@
         <translation>Mueva esta operación detrás de la de la fresa mayor, o desactive UseRestMachining. Solo cuentan las fresas planas: las redondas dejan crestas.</translation>
     </message>
     <message>
+        <source>Much the same is told of {0} more pockets.</source>
+        <translation>Casi lo mismo vale para otras {0} cajeras.</translation>
+    </message>
+    <message>
         <source>No cutter goes through so narrow a gap; check the model.</source>
         <translation>Ninguna fresa pasa por un hueco tan estrecho; revise el modelo.</translation>
     </message>

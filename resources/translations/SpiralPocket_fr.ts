@@ -967,6 +967,10 @@
         <translation>Placez cette opération après celle de la plus grande fraise, ou désactivez UseRestMachining. Seules comptent les fraises plates : les rondes laissent des crêtes.</translation>
     </message>
     <message>
+        <source>Much the same is told of {0} more pockets.</source>
+        <translation>Il en est presque de même pour {0} autres poches.</translation>
+    </message>
+    <message>
         <source>No cutter goes through so narrow a gap; check the model.</source>
         <translation>Aucune fraise ne passe par un espace aussi étroit ; vérifiez le modèle.</translation>
     </message>

@@ -967,6 +967,10 @@
         <translation>请将此操作移到使用大刀具的操作之后，或关闭 UseRestMachining。只有平底立铣刀才算数：圆头刀会留下残脊。</translation>
     </message>
     <message>
+        <source>Much the same is told of {0} more pockets.</source>
+        <translation>另有 {0} 个型腔情况大致相同。</translation>
+    </message>
+    <message>
         <source>No cutter goes through so narrow a gap; check the model.</source>
         <translation>没有刀具能通过如此窄的缝隙；请检查模型。</translation>
     </message>

@@ -17,6 +17,7 @@ from sample_parts import (
 )
 
 from freecad_spiralpocket import api
+from freecad_spiralpocket.engine.model import Notice
 from freecad_spiralpocket.op import remarks
 from freecad_spiralpocket.op.foresight import requests_of
 
@@ -146,3 +147,36 @@ def test_a_part_that_is_not_in_the_job_is_told(doc, job):
     op.Base = [(other, faces_at(other.Shape, -DEPTH))]
     doc.recompute()
     assert told(op, "Other is not in the job's model.") and op.Path.Commands
+
+
+def of_pockets(*angles):
+    """Return the same notice of many pockets, each with its angle and place."""
+    return [
+        (f"Part, Face{i}", Notice(f"At {{at}} it reaches {angle} degrees.", "Mind that.", (i, 0.0)))
+        for i, angle in enumerate(angles)
+    ]
+
+
+def test_what_is_much_the_same_of_many_pockets_is_told_once():
+    (told,) = remarks.labelled(of_pockets(101.5, 99.25, 112, 101.5, 98), 5)
+    assert told.message == (
+        "Part, Face2: At {at} it reaches 112 degrees. Much the same is told of 4 more pockets."
+    )
+    assert told.place == (2, 0.0) and told.hint == "Mind that."
+
+
+def test_what_is_much_the_same_of_a_few_pockets_is_told_of_each():
+    told = of_pockets(101, 99, 112)
+    told.insert(2, ("Part, Face1", Notice("Something else.")))
+    found = [notice.message for notice in remarks.labelled(told, 3)]
+    assert found == [
+        "Part, Face0: At {at} it reaches 101 degrees.",
+        "Part, Face1: At {at} it reaches 99 degrees.",
+        "Part, Face1: Something else.",
+        "Part, Face2: At {at} it reaches 112 degrees.",
+    ]
+
+
+def test_one_notice_of_all_pockets_has_no_labels():
+    told = [(f"Part, Face{i}", Notice("It lies 3 mm too high.")) for i in range(9)]
+    assert remarks.labelled(told, 9) == [Notice("It lies 3 mm too high.")]
