@@ -204,14 +204,6 @@
         <translation>Spiraltasche erzeugen</translation>
     </message>
     <message>
-        <source>Add one with an end mill to the job, then try again.</source>
-        <translation>Dem Auftrag eine mit Schaftfräser hinzufügen und erneut versuchen.</translation>
-    </message>
-    <message>
-        <source>{} has no tool controller that can clear a pocket.</source>
-        <translation>{} hat keine Werkzeugsteuerung, die eine Tasche räumen kann.</translation>
-    </message>
-    <message>
         <source>Type {} to {}.</source>
         <translation>{} bis {} eingeben.</translation>
     </message>
@@ -518,6 +510,14 @@
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Add one with an end mill to the job, then try again.</source>
+        <translation>Dem Auftrag eine mit Schaftfräser hinzufügen und erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} hat keine Werkzeugsteuerung, die eine Tasche räumen kann.</translation>
     </message>
     <message>
         <source>Use as Default in This Job</source>

@@ -204,14 +204,6 @@
         <translation>Crear cajera en espiral</translation>
     </message>
     <message>
-        <source>Add one with an end mill to the job, then try again.</source>
-        <translation>Añada uno con una fresa plana al trabajo e inténtelo de nuevo.</translation>
-    </message>
-    <message>
-        <source>{} has no tool controller that can clear a pocket.</source>
-        <translation>{} no tiene ningún controlador de herramienta que pueda vaciar una cajera.</translation>
-    </message>
-    <message>
         <source>Type {} to {}.</source>
         <translation>Escriba de {} a {}.</translation>
     </message>
@@ -518,6 +510,14 @@
     <message>
         <source>unknown</source>
         <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>Add one with an end mill to the job, then try again.</source>
+        <translation>Añada uno con una fresa plana al trabajo e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} no tiene ningún controlador de herramienta que pueda vaciar una cajera.</translation>
     </message>
     <message>
         <source>Use as Default in This Job</source>

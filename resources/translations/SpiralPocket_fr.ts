@@ -204,14 +204,6 @@
         <translation>Créer une poche en spirale</translation>
     </message>
     <message>
-        <source>Add one with an end mill to the job, then try again.</source>
-        <translation>Ajoutez-en un avec une fraise deux tailles à la tâche, puis réessayez.</translation>
-    </message>
-    <message>
-        <source>{} has no tool controller that can clear a pocket.</source>
-        <translation>{} n'a pas de contrôleur d'outil qui puisse vider une poche.</translation>
-    </message>
-    <message>
         <source>Type {} to {}.</source>
         <translation>Saisissez de {} à {}.</translation>
     </message>
@@ -518,6 +510,14 @@
     <message>
         <source>unknown</source>
         <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Add one with an end mill to the job, then try again.</source>
+        <translation>Ajoutez-en un avec une fraise deux tailles à la tâche, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} n'a pas de contrôleur d'outil qui puisse vider une poche.</translation>
     </message>
     <message>
         <source>Use as Default in This Job</source>

@@ -204,14 +204,6 @@
         <translation>创建螺旋型腔</translation>
     </message>
     <message>
-        <source>Add one with an end mill to the job, then try again.</source>
-        <translation>在作业中添加一个带立铣刀的刀具控制器，然后重试。</translation>
-    </message>
-    <message>
-        <source>{} has no tool controller that can clear a pocket.</source>
-        <translation>{} 没有可清除型腔的刀具控制器。</translation>
-    </message>
-    <message>
         <source>Type {} to {}.</source>
         <translation>请输入 {} 到 {} 之间的值。</translation>
     </message>
@@ -518,6 +510,14 @@
     <message>
         <source>unknown</source>
         <translation>未知</translation>
+    </message>
+    <message>
+        <source>Add one with an end mill to the job, then try again.</source>
+        <translation>在作业中添加一个带立铣刀的刀具控制器，然后重试。</translation>
+    </message>
+    <message>
+        <source>{} has no tool controller that can clear a pocket.</source>
+        <translation>{} 没有可清除型腔的刀具控制器。</translation>
     </message>
     <message>
         <source>Use as Default in This Job</source>
