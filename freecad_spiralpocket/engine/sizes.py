@@ -22,6 +22,8 @@ from .model import Feeds, Heights, PocketRequest, Section, Tick
 
 #: The lengths in mm of all strategies are meant for this R and this tolerance [mm].
 SIZE, EXACT = 3.0, 0.01
+#: No finer tolerance makes it larger than this: what takes minutes then is not kept all the same.
+LARGEST = 20.0
 #: Sizes that are tried, over that. GEOS gives up once in thousands of times where edges nearly
 #: coincide; in another size they are rounded in another way.
 TRIED = (1.0, 0.999, 0.99)
@@ -39,15 +41,15 @@ def planned_resized(
 ) -> FloorPath:
     """Return a region's path by a strategy, in the size that its lengths are meant for.
 
-    A smaller cutter's pocket is planned larger. A larger one's is planned smaller as far as the
-    tolerance is coarser too.
+    A smaller cutter's pocket is planned larger, and so is one with a finer tolerance. A larger
+    one's is planned smaller as far as the tolerance is coarser too.
 
     Raises
     ------
     SpiralPocketError
         What the strategy raises, with lengths and places in the size of the pocket.
     """
-    factor = max(SIZE / request.cutter_radius, min(1.0, EXACT / request.tolerance))
+    factor = max(SIZE / request.cutter_radius, min(LARGEST, EXACT / request.tolerance))
     *others, last = TRIED
     for share in others:
         try:

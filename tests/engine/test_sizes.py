@@ -37,6 +37,14 @@ def test_pocket_and_cutter_of_another_size_are_planned_as_well(pocket, factor):
     assert lifts(result) == 1
 
 
+@pytest.mark.parametrize("tolerance", [0.002, 0.001, 0.0005])
+def test_a_fine_tolerance_is_kept(tolerance):
+    boss = shapely.box(0, 0, 50, 30).difference(Point(30, 15).buffer(5, quad_segs=128))
+    made = make_request(boss, strategy=Strategy.AUTOMATIC, cutting=Cutting(1.6))
+    report = plan(replace(made, tool_diameter=4.0, tolerance=tolerance)).report
+    assert report.gouge <= tolerance and report.uncut_area < 0.01
+
+
 @pytest.mark.parametrize(("radius", "tolerance"), [(0.3, 0.01), (9.0, 0.01), (3.0, 0.1)])
 def test_size_and_tolerance_need_not_go_together(radius, tolerance):
     made = make_request(L_SHAPE, strategy=Strategy.AUTOMATIC)

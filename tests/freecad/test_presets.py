@@ -3,6 +3,7 @@
 
 import json
 
+import FreeCAD
 import pytest
 from sample_parts import add_job
 
