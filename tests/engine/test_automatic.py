@@ -270,3 +270,16 @@ def test_cutter_goes_down_near_the_start_point(mode, asked):
     # two radii off both walls, and the radius of the helix on
     assert math.hypot(*(first[:2] - asked)) < 2 * result.request.tool_diameter
     assert result.report.uncut_area < 0.01
+
+
+def test_an_island_that_a_wide_curve_does_not_keep_is_gone_round_by_a_finer_one():
+    crescent = [
+        *((38.0, 19.8), (36.3, 23.4), (31.5, 25.4), (31.5, 28.0), (30.2, 30.2), (28.0, 31.5)),
+        *((25.4, 31.5), (23.4, 36.3), (19.8, 38.0), (20.6, 42.1), (22.5, 46.1), (25.2, 49.2)),
+        *((28.7, 51.7), (34.7, 53.6), (41.4, 53.1), (47.3, 50.1), (51.7, 44.9), (53.7, 38.7)),
+        *((53.1, 32.1), (50.0, 26.1), (44.9, 21.8)),
+    ]
+    island = [(37.2, 34.3), (38.8, 35.3), (39.2, 37.2), (38.2, 38.8), (36.4, 39.2), (34.8, 38.3)]
+    asked = make_request(SQUARE, tool_diameter=10.0)
+    start = island_ring(Polygon(crescent, [island]), asked)
+    assert start is not None and start.visited.covers(Polygon(island).buffer(-0.6))

@@ -299,6 +299,6 @@ def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
         for rounding in RING_ROUNDINGS:
             visited = Polygon(_rounded(shape, filled, rounding * radius).exterior)
             visited = into_notches(visited, shape, region, corridors, rounding * radius, radius)
-            if leaves_no_post(visited, request, islands):
+            if visited.area and leaves_no_post(visited, request, islands):
                 return _slot_start("island ring", oriented(visited), filled, request)
     return None
