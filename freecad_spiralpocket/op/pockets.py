@@ -198,6 +198,8 @@ class Pockets:
                     "Set the horizontal and vertical feed in the tool controller.",
                 )
             )
+        elif wanted:
+            feeds = remarks.feed(wanted[0])
         depth = max((w.axial_depth for w in wanted), default=0.0)
         step = max((w.cutting.stepover for w in wanted), default=0.0)
         top = parent_job(self._obj).Stock.Shape.BoundBox.ZMax

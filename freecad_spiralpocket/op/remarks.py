@@ -13,6 +13,7 @@ import shapely
 from shapely import Polygon
 
 from ..engine.errors import told_area
+from ..engine.machine import machine_of
 from ..engine.model import Heights, Notice, PocketRequest
 from .compat import flat_end, parent_job, spindle_start, tool_name, tool_shape
 from .level import SAME_HEIGHT
@@ -226,6 +227,25 @@ def tool(controller: Any, depth: float, reach: float, stepover: float) -> list[N
             )
         )
     return found
+
+
+def feed(wanted: PocketRequest) -> list[Notice]:
+    """Tell of a feed that is more than the chosen machine does; the program keeps to the machine.
+
+    Parameters
+    ----------
+    wanted : PocketRequest
+    """
+    asked, most = wanted.feeds.horizontal, machine_of(wanted).flat_speed
+    if asked <= most:
+        return []
+    return [
+        Notice(
+            f"The horizontal feed of {60 * asked:.0f} mm/min is more than the chosen machine does; "
+            f"the program runs at {60 * most:.0f} mm/min.",
+            "Choose your machine in Machine, or lower the feed in the tool controller.",
+        )
+    ]
 
 
 def _shape(mill: Any, stepover: float) -> list[Notice]:

@@ -819,6 +819,10 @@
         <translation>Für diese Tasche die Strategie Automatisch oder Isothermen wählen.</translation>
     </message>
     <message>
+        <source>Choose your machine in Machine, or lower the feed in the tool controller.</source>
+        <translation>Die eigene Maschine unter Machine wählen oder den Vorschub in der Werkzeugsteuerung senken.</translation>
+    </message>
+    <message>
         <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
         <translation>Zuerst schließen (Arbeitsbereich Part, Geometrie überprüfen und In Festkörper umwandeln).</translation>
     </message>
@@ -1317,6 +1321,10 @@
     <message>
         <source>The hole ends at Z{0}, the part goes down to Z{1}; the cutter goes down to Z{2}.</source>
         <translation>Der Durchbruch endet bei Z{0}, das Teil reicht bis Z{1} hinab; der Fräser geht bis Z{2}.</translation>
+    </message>
+    <message>
+        <source>The horizontal feed of {0} mm/min is more than the chosen machine does; the program runs at {1} mm/min.</source>
+        <translation>Der waagerechte Vorschub von {0} mm/min ist mehr, als die gewählte Maschine schafft; das Programm läuft mit {1} mm/min.</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

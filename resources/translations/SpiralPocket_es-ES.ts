@@ -819,6 +819,10 @@
         <translation>Elija la estrategia Automático o Isotermas para esta cajera.</translation>
     </message>
     <message>
+        <source>Choose your machine in Machine, or lower the feed in the tool controller.</source>
+        <translation>Elija su máquina en Machine, o baje el avance en el controlador de herramienta.</translation>
+    </message>
+    <message>
         <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
         <translation>Ciérrela primero (banco Part, Comprobar geometría y Convertir en sólido).</translation>
     </message>
@@ -1317,6 +1321,10 @@
     <message>
         <source>The hole ends at Z{0}, the part goes down to Z{1}; the cutter goes down to Z{2}.</source>
         <translation>El hueco termina en Z{0}, la pieza baja hasta Z{1}; la fresa baja hasta Z{2}.</translation>
+    </message>
+    <message>
+        <source>The horizontal feed of {0} mm/min is more than the chosen machine does; the program runs at {1} mm/min.</source>
+        <translation>El avance horizontal de {0} mm/min es más de lo que alcanza la máquina elegida; el programa va a {1} mm/min.</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

@@ -819,6 +819,10 @@
         <translation>Choisissez la stratégie Automatique ou Isothermes pour cette poche.</translation>
     </message>
     <message>
+        <source>Choose your machine in Machine, or lower the feed in the tool controller.</source>
+        <translation>Choisir votre machine dans Machine, ou baisser l'avance dans le contrôleur d'outil.</translation>
+    </message>
+    <message>
         <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
         <translation>Fermez-la d'abord (atelier Part, Vérifier la géométrie et Convertir en solide).</translation>
     </message>
@@ -1317,6 +1321,10 @@
     <message>
         <source>The hole ends at Z{0}, the part goes down to Z{1}; the cutter goes down to Z{2}.</source>
         <translation>L’ouverture se termine à Z{0}, la pièce descend jusqu’à Z{1} ; la fraise descend jusqu’à Z{2}.</translation>
+    </message>
+    <message>
+        <source>The horizontal feed of {0} mm/min is more than the chosen machine does; the program runs at {1} mm/min.</source>
+        <translation>L'avance horizontale de {0} mm/min dépasse ce que fait la machine choisie ; le programme tourne à {1} mm/min.</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

@@ -819,6 +819,10 @@
         <translation>此型腔请选用“自动”或“等温线”策略。</translation>
     </message>
     <message>
+        <source>Choose your machine in Machine, or lower the feed in the tool controller.</source>
+        <translation>请在 Machine 中选择您的机床，或在刀具控制器中降低进给。</translation>
+    </message>
+    <message>
         <source>Close it first (Part workbench, Check Geometry and Convert to Solid).</source>
         <translation>请先封闭（Part 工作台，检查几何并转换为实体）。</translation>
     </message>
@@ -1317,6 +1321,10 @@
     <message>
         <source>The hole ends at Z{0}, the part goes down to Z{1}; the cutter goes down to Z{2}.</source>
         <translation>该孔止于 Z{0}，而零件延伸至 Z{1}；刀具下到 Z{2}。</translation>
+    </message>
+    <message>
+        <source>The horizontal feed of {0} mm/min is more than the chosen machine does; the program runs at {1} mm/min.</source>
+        <translation>水平进给 {0} mm/min 超出所选机床的能力；程序以 {1} mm/min 运行。</translation>
     </message>
     <message>
         <source>The largest feed ratio of {0} is below 1.</source>

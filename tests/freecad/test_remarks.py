@@ -74,6 +74,17 @@ def test_a_spindle_that_stands_is_told(job):
     assert told(op, "The spindle speed of") and "spindle speed" in str(requests_of(op)[1][0])
 
 
+def test_a_feed_that_the_machine_does_not_reach_is_told(job):
+    job.Tools.Group[0].HorizFeed = 200.0
+    words = "12000 mm/min is more than the chosen machine does; the program runs at 5000 mm/min"
+    op = cut(job, Machine="hobby_router")
+    assert told(op, words) and any(words in str(notice) for notice in requests_of(op)[1])
+    assert max(c.Parameters.get("F", 0.0) for c in motion(op) if c.Name != "G0") <= 5000 / 60 + 1e-6
+    op.Machine = "vmc"
+    op.Document.recompute()
+    assert not told(op, "mm/min")
+
+
 def test_a_floor_below_the_stock_is_told_as_such(job):
     job.Stock.ExtZneg = -5.0
     op = cut(job)
