@@ -243,7 +243,8 @@ def test_every_strategy_says_what_it_is_for(operation):
     for strategy in Strategy:
         enter(widget("strategy"), Choice, strategy.value)
         assert widget("strategyNote").text() == STRATEGY_NOTES[strategy.value]
-        assert widget("finishingProfile").isEnabled() == (strategy is not Strategy.AUTOMATIC)
+        closes = strategy not in (Strategy.AUTOMATIC, Strategy.EXTENDED_ARCHIMEDEAN)
+        assert widget("finishingProfile").isEnabled() == closes
     enter(widget("strategy"), Choice, Strategy.AUTOMATIC.value)
 
 
