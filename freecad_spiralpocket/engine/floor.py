@@ -68,12 +68,15 @@ class Slot:
     wall : ndarray of shape (n, 2) or None
         Where the last loop runs, point beside point of the ring, if it runs out into corners
         [mm]; with stairs their last line does.
+    ahead : float
+        How much longer its first loop is than it must be, to begin where it was asked to [mm].
     """
 
     ring: Floats
     bite: float
     stairs: Stairs | None = None
     wall: Floats | None = None
+    ahead: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -83,3 +83,18 @@ def test_a_slot_with_stairs_begins_beside_the_start_point(asked):
     assert math.hypot(*(made.toolpath.start[:2] - asked)) < 6.0
     # nor is the slot given up for it
     assert made.report.time < 60
+
+
+@pytest.mark.parametrize("mode", CutMode)
+@pytest.mark.parametrize(
+    "pocket", [L_SHAPE, box(0, 0, 120, 50), box(0, 0, 70, 60) - box(30, 25, 45, 40)]
+)
+def test_a_start_point_in_a_corner_costs_no_more_than_another_round(pocket, mode):
+    cutting = Cutting(stepover=1.2, cut_mode=mode)
+    freely = plan(request(pocket, cutting=cutting))
+    round_it = pocket.exterior.length / freely.request.feeds.horizontal
+    for corner in list(pocket.exterior.coords)[:-1]:
+        made = plan(request(pocket, cutting=cutting, start_point=corner))
+        assert made.report.uncut_area < 0.01 and made.report.gouge < 0.01
+        assert not told(made)
+        assert made.report.time < freely.report.time + round_it

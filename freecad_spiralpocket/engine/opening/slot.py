@@ -45,7 +45,10 @@ def slot_end(slot: Slot, asked: tuple[float, float], request: PocketRequest) -> 
 
 
 def slot_lead(slot: Slot, down: Descent) -> float:
-    """Return how far before its ring's first point a slot begins, but for whole turns [mm]."""
+    """Return how far before its ring's first point a slot begins, but for whole turns [mm].
+
+    And but for what its first loop is longer (`Slot.ahead`).
+    """
     _, ramps, _, asides = _loops(slot, down)
     return float(ramps[0] + asides.sum())
 
@@ -70,13 +73,14 @@ def slot_path(slot: Slot, down: Descent) -> Floats:
     """Return the loops of a slot, shape (n, 3) [mm].
 
     Each begins with a ramp along the line of the one above, and goes on to its own line until it
-    meets itself there, or the next ramp takes over. After the last one of stairs it goes on to the
-    line from which laps begin.
+    meets itself there, or the next ramp takes over; the first may be longer (`Slot.ahead`). After
+    the last one of stairs it goes on to the line from which laps begin.
     """
     ring = closed_line(slot.ring)
     corners, length = distances_along(ring.coords), ring.length
     drops, ramps, lines, asides = _loops(slot, down)
     spans = ramps + asides[:-1] + length - np.append(ramps[1:], 0.0)
+    spans[0] += slot.ahead
     begins = np.cumsum(spans) - spans - spans.sum() - asides[-1]
     knees = begins + ramps
     turns = np.arange(math.floor(begins[0] / length), 1)
@@ -132,7 +136,8 @@ def _loops(slot: Slot, down: Descent) -> tuple[Floats, Floats, Floats, Floats]:
     if loops == len(stairs.drops):
         drops = down.depth * stairs.drops
     ramps = drops / math.tan(down.angle)
-    return drops, ramps * _stretch(lines[0], slot.ring, ramps[0]), lines, asides
+    places = [0.0] if slot.ahead == 0.0 else [0.0, -float(ramps[0] + asides.sum()) - slot.ahead]
+    return drops, ramps * _stretch(lines[0], slot.ring, places, ramps[0]), lines, asides
 
 
 def beside(line: Floats, along: Floats, at: Floats) -> Floats:
@@ -145,13 +150,15 @@ def beside(line: Floats, along: Floats, at: Floats) -> Floats:
     return np.column_stack([np.interp(at, along, column) for column in closed.T])
 
 
-def _stretch(line: Floats, ring: Floats, length: float) -> float:
+def _stretch(line: Floats, ring: Floats, places: list[float], length: float) -> float:
     """Return by how much a ring is longer than a line within it, where slots begin and end.
 
-    Looked at over `length` along the ring to both sides of its first point [mm].
+    Looked at over `length` to both sides of some places along the ring [mm].
     """
     along = distances_along(np.vstack([ring, ring[:1]]))
-    near = (along[:-1] < length) | (along[:-1] > along[-1] - length)
-    steps = (np.hypot(*(np.roll(points, -1, axis=0) - points).T)[near] for points in (ring, line))
-    outer, inner = (float(step.sum()) for step in steps)
-    return max(1.0, outer / inner)
+    around = along[-1]
+    off = (along[:-1, None] - np.asarray(places) + around / 2) % around - around / 2
+    steps = [np.hypot(*(np.roll(points, -1, axis=0) - points).T) for points in (ring, line)]
+    return max(
+        1.0, *(steps[0][near].sum() / steps[1][near].sum() for near in (np.abs(off) < length).T)
+    )

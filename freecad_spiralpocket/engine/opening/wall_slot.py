@@ -11,7 +11,7 @@ from itertools import islice
 
 import numpy as np
 import shapely
-from shapely import Polygon
+from shapely import Point, Polygon
 
 from ..floor import Descent, Slot
 from ..growth.front_rules import rules_of
@@ -56,9 +56,11 @@ def wall_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start 
     outline = outline_of(region, request.cutter_radius)
     if outline is None:
         return None
+    asked = request.start_point
+    if asked is not None and outline.ring.distance(Point(asked)) > request.tool_diameter:
+        return None
     # beside a middle of the plug lap follows lap for longest, best along a straight wall
     deep = axis.nodes[axis.clearance > DEEP * axis.clearance.max(initial=0.0)]
-    asked = request.start_point
     if len(deep) == 0 or asked is not None:  # too narrow for an axis, or anywhere near a place
         deep = shapely.get_coordinates(shapely.segmentize(outline.ring, request.cutter_radius))
     zone = BLEND * request.cutter_radius
@@ -66,29 +68,31 @@ def wall_slot(region: Polygon, axis: Skeleton, request: PocketRequest) -> Start 
     bent = bends(outline.ring, leaves - zone / 4, 1.5 * zone)
     leaves = leaves[bent <= max(STRAIGHT, float(bent.min()))]
 
-    def begun(ahead: float) -> Start | None:
-        """Return the slot that begins so far ahead of where it ends, on the way back [mm]."""
-        place = (0.0, 0.0) if asked is None else asked  # programs come from the origin
-        begins = points_at(outline.ring, (leaves + ahead) % outline.ring.length)
-        away = np.hypot(*(begins - place).T)
-        if asked is not None and away.min() > request.tool_diameter:
-            return None
-        leave = float(leaves[np.argmin(away)])
-        points = between(outline.ring, leave, outline.ring.length)[:-1]
+    def begun(lead: float) -> Start:
+        """Return the slot that begins so far before where it ends [mm]."""
+        begins = (leaves + lead) % outline.ring.length  # it runs the other way round
+        if asked is None:  # programs come from the origin
+            ahead = np.zeros(len(leaves))
+            away = np.hypot(*points_at(outline.ring, begins).T)
+        else:  # beside a bend it begins all the same, and ends where the wall is straight
+            ahead = away = (outline.ring.project(Point(asked)) - begins) % outline.ring.length
+        best = int(np.argmin(away))
+        points = between(outline.ring, float(leaves[best]), outline.ring.length)[:-1]
         # the wall is cut climb; the plug lies on the other side: its laps go the other way
-        slot = Slot(np.vstack([points[:1], points[:0:-1]]), slot_bite(request))
+        ring = np.vstack([points[:1], points[:0:-1]])
+        slot = Slot(ring, slot_bite(request), ahead=float(ahead[best]))
         slot, within = _into_corners(slot, region, outline.within)
         return Start("outline", outline.visited, outline.omega, slot, closed_line(points), within)
 
     down = Descent(request.axial_depth, 0.0, request.entry.helix_angle)
     slot = Slot(shapely.get_coordinates(outline.ring)[:0:-1], slot_bite(request))
     start = begun(0.0 if asked is None else slot_lead(slot, down))
-    wider = None if start is None else _with_stairs(start, outline.within, request)
-    if asked is None or wider is None or wider is start:
+    wider = _with_stairs(start, outline.within, request)
+    if asked is None or wider is start:
         return wider
     assert isinstance(wider.entry, Slot)
-    moved = begun(slot_lead(wider.entry, down))  # with stairs the way down is longer
-    return start if moved is None else _with_stairs(moved, outline.within, request)
+    # with stairs the way down is longer
+    return _with_stairs(begun(slot_lead(wider.entry, down)), outline.within, request)
 
 
 def _into_corners(slot: Slot, region: Polygon, rounded: Polygon) -> tuple[Slot, Polygon]:
@@ -134,7 +138,7 @@ def _with_stairs(start: Start, region: Polygon, request: PocketRequest) -> Start
         return replace(
             start,
             visited=visited,
-            entry=Slot(stairs.lines[-1], slot.bite, stairs),
+            entry=replace(slot, ring=stairs.lines[-1], stairs=stairs, wall=None),
             ring=ring,
             plain=start,
             is_sure=saved > SURE,
