@@ -31,8 +31,8 @@ POST_DECIMALS = 3
 SHORT, SHORTISH, FLAT = 0.004, 0.04, 0.001
 #: FreeCAD's dressups take an arc for half a turn where the area that its two radii span is less
 #: than this [mm2]; those that turn less than the second [rad] are written as lines, each of which
-#: turns by no more than the third.
-SPANNED, HALF, TURN = 0.006, 3.0, 0.26
+#: turns by no more than the third, and is no farther off than the last [mm].
+SPANNED, HALF, TURN, OFF = 0.006, 3.0, 0.26, 0.0003
 
 _NAMES = {Kind.RAPID: "G0", Kind.LINE: "G1", Kind.ARC_CW: "G2", Kind.ARC_CCW: "G3"}
 
@@ -106,7 +106,7 @@ def _chords(
 ) -> list[list[float]]:
     """Return where lines along an arc end."""
     turn = _turn(begin, end, center)
-    count = math.ceil(abs(turn) / TURN)
+    count = math.ceil(abs(turn) / min(TURN, math.sqrt(8 * OFF / math.dist(begin[:2], center))))
     x, y = (b - c for b, c in zip(begin, center, strict=False))
     ends = []
     for i in range(1, count):

@@ -2,6 +2,7 @@
 """Toolpaths become commands that every post, dressup and simulator understands."""
 
 import importlib
+import math
 from itertools import pairwise
 
 import numpy as np
@@ -117,13 +118,16 @@ def test_dressups_see_every_arc_as_it_is(radius, ccw):
         assert length == pytest.approx(radius * turn, rel=0.004, abs=0.005), np.degrees(turn)
 
 
-def test_lines_instead_of_an_arc_keep_to_it_and_turn_softly():
-    radius = 0.06
-    start, arc = (radius, 0, 5), ((0, radius, 5), (0, 0), True, FEED, Role.CUT)
+@pytest.mark.parametrize(("radius", "turn"), [(0.06, 90), (0.01, 170), (0.1, 30), (0.15, 14)])
+def test_lines_instead_of_an_arc_keep_to_it_and_turn_softly(radius, turn):
+    place = radius * math.cos(math.radians(turn)), radius * math.sin(math.radians(turn))
+    start, arc = (radius, 0, 5), ((*place, 5), (0, 0), True, FEED, Role.CUT)
     made = built(("line", start, FEED, Role.CUT), ("arc", *arc))[3:]
     ends = np.array([start[:2], *((c.x, c.y) for c in made)])
-    assert {c.Name for c in made} == {"G1"} and ends[-1] == pytest.approx([0, radius])
+    assert {c.Name for c in made} == {"G1"} and ends[-1] == pytest.approx(place)
     assert np.hypot(*ends.T) == pytest.approx(radius, abs=1e-6)
+    middles = (ends[1:] + ends[:-1]) / 2
+    assert np.hypot(*middles.T) == pytest.approx(radius, abs=3.1e-4)
     ways = np.degrees(np.unwrap(np.arctan2(*np.diff(ends, axis=0).T[::-1])))
     assert np.abs(np.diff(ways)).max() < 16
 
