@@ -149,6 +149,18 @@ def test_notches_between_pins_are_cut_however_shallow(radius, apart):
     assert shapely.distance(shapely.points(wall.coords), cut).max() < 0.03
 
 
+def test_a_ring_runs_along_faceted_hollows_of_islands():
+    turns = np.linspace(2.0, 2 * math.pi - 2.0, 24)
+    inner = 8.5 * np.column_stack([np.cos(turns), np.sin(turns)])
+    outer = 16.0 * np.column_stack([np.cos(turns), np.sin(turns)])[::-1]
+    pocket = box(-45, -45, 45, 45).difference(Polygon(np.vstack([inner, outer])))
+    region = pocket.buffer(-4, quad_segs=64)
+    start = island_ring(region, make_request(pocket, tool_diameter=8.0))
+    wall = np.array(shapely.segmentize(region.interiors[0], 0.02).coords)
+    hollow = wall[(np.hypot(*wall.T) < 5.0) & (wall[:, 0] < -3.0)]
+    assert shapely.distance(shapely.points(hollow), start.ring).max() < 0.012
+
+
 def test_hub_whose_wall_the_ring_meets_nowhere_is_led_onto_from_the_ring():
     turns = 2 * math.pi / 7 * np.arange(7)
     pins = [Point(19.44 * math.cos(t), 19.44 * math.sin(t)).buffer(2.19) for t in turns]

@@ -24,10 +24,12 @@ from shapely import LineString, Point, Polygon
 
 from ..errors import CutterDoesNotFitError
 from ..floor import Groove, Helix, Slot
+from ..growth.fronts import FLAT
 from ..growth.spiral import BLEND
 from ..model import Floats, PocketRequest
 from ..shapes.polyline import between, closed_line
-from ..shapes.shaping import SLIVER, grow_coarsely, largest, oriented
+from ..shapes.region import grow
+from ..shapes.shaping import SLIVER, grow_coarsely, largest, oriented, simplified_region
 from ..shapes.skeleton import (
     Edges,
     Skeleton,
@@ -254,8 +256,9 @@ def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketReques
 def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:
     """Return `shape` within `omega`, its reentrant curves at least of radius `q` [mm]."""
     bumps = 0.5 * q
-    shape = grow_coarsely(grow_coarsely(grow_coarsely(shape, q), -q - bumps), bumps)
-    return largest(shapely.intersection(shape, omega))
+    # coarse chords across hollows, on top of what the curves leave, would be a skin on the wall
+    shape = grow_coarsely(grow(grow_coarsely(shape, q), -q - bumps), bumps)
+    return simplified_region(largest(shapely.intersection(shape, omega)), FLAT)
 
 
 def leaves_no_post(
