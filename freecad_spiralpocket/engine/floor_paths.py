@@ -16,6 +16,7 @@ from shapely import Polygon
 
 from .errors import CancelledError, SpiralPocketError
 from .floor import FloorPath
+from .growth.too_wide import check_width
 from .mirroring import mirrored, mirrored_request
 from .model import CutMode, PocketRequest, Strategy, Tick
 from .opening.open_sides import needed
@@ -33,6 +34,7 @@ def _by(module: str, region: Polygon, request: PocketRequest, tick: Tick) -> Flo
 
     Some need parts of scipy that take as long to load as Automatic takes for a small pocket.
     """
+    check_width(needed(region, request), request.cutting.stepover)
     return import_module(f".laps.{module}", __package__).floor_path(region, request, tick)
 
 

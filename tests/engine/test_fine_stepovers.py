@@ -13,7 +13,8 @@ from shapely.affinity import rotate
 from shapes import SQUARE, rounded
 from shapes import request as make_request
 
-from freecad_spiralpocket.engine import plan
+from freecad_spiralpocket.engine import floor_paths, plan
+from freecad_spiralpocket.engine.errors import NotYetError
 from freecad_spiralpocket.engine.growth.front_rules import ROUNDED, rules_of
 from freecad_spiralpocket.engine.growth.fronts import fronts_from
 from freecad_spiralpocket.engine.model import Cutting, Strategy
@@ -60,3 +61,11 @@ def test_what_stands_in_a_ring_of_bosses_is_cut_step_by_step(hole):
     fronts = list(islice(fronts_from(visited, omega, rules), 200))
     assert len(fronts) < 1.5 * hole / rules.stepover
     assert omega.difference(fronts[-1]).area < 1.0
+
+
+@pytest.mark.parametrize("strategy", Strategy)
+def test_a_pocket_of_thousands_of_laps_is_refused_before_any_is_laid(strategy, monkeypatch):
+    monkeypatch.setattr(floor_paths, "import_module", None)
+    asked = make_request(SQUARE, strategy=strategy, cutting=Cutting(stepover=19 / 2500))
+    with pytest.raises(NotYetError, match="more than 2000 step-overs wide"):
+        plan(asked)

@@ -18,7 +18,7 @@ import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
-from ..errors import CutterDoesNotFitError, NotYetError
+from ..errors import CutterDoesNotFitError
 from ..floor import FloorPath, Groove, Pass, Plunge, WayDown
 from ..growth.corners import finish_corners, levels_from
 from ..growth.front_rules import WIDEST, FrontRules, rules_of
@@ -26,6 +26,7 @@ from ..growth.fronts import MAX_FRONTS, without_idle_holes
 from ..growth.lap_width import STRETCH
 from ..growth.stroke_runs import Run, runs_of
 from ..growth.strokes import Stroke, strokes_between, strokes_of
+from ..growth.too_wide import too_wide
 from ..links.cleared import ClearedMap, pixel_of
 from ..links.estimates import (
     LIFT_SECONDS,
@@ -143,7 +144,6 @@ def _fastest(
         If the region is too wide.
     """
     motion, rules = motion_of(request), rules_of(request)
-    _check_width(region, request)
     best, most = _Best(), MAX_FRONTS
     laps = region.area / (WIDEST * STRETCH * rules.stepover) / motion.cut_feed
     entry_of = cache(partial(entry_seconds, request=request, motion=motion))
@@ -179,7 +179,7 @@ def _fastest(
             if toll * (seconds + more - spared) < best.seconds:
                 starts.append((start.plain, within))
     if best.start is None:
-        raise _too_wide()
+        raise too_wide()
     return _in_better_order(best, motion, partial(tick, 1.0))
 
 
@@ -220,20 +220,6 @@ def _searched(
 def _is_channel(levels: int, rules: FrontRules) -> bool:
     """Return whether so many levels are more than a corner takes."""
     return levels > CORNER_LEVELS * max(1.0, CORNER_STEPOVER * rules.cutter_radius / rules.stepover)
-
-
-def _check_width(region: Polygon, request: PocketRequest) -> None:
-    """Refuse at once what the fronts would find out after minutes."""
-    widest = MAX_FRONTS * WIDEST * STRETCH * request.cutting.stepover
-    if not grow_coarsely(region, -widest).is_empty:
-        raise _too_wide()
-
-
-def _too_wide() -> NotYetError:
-    return NotYetError(
-        f"The pocket is more than {MAX_FRONTS} step-overs wide.",
-        "Take a wider cutter or a larger step-over.",
-    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
