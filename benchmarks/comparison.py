@@ -38,7 +38,8 @@ from freecad_spiralpocket.engine.proof.findings import over_limit
 from freecad_spiralpocket.engine.proof.verify import prove
 from freecad_spiralpocket.engine.shapes.arcs import fit_arcs
 from freecad_spiralpocket.engine.toolpath import Toolpath
-from freecad_spiralpocket.op import compat, foresight, operation, selection
+from freecad_spiralpocket.op import compat, foresight, operation
+from freecad_spiralpocket.op.floors import find_floors
 
 if compat.IS_LEGACY:
     from PathScripts import PathAdaptive as Adaptive
@@ -196,7 +197,7 @@ def seconds(path: Toolpath, machine: str) -> float:
 def measure(name: str) -> dict[str, Any]:
     """Return the figures of all methods on a shape, and leave its plans in a file."""
     job = make_job(SHAPES[name])
-    faces = sorted(selection.find_floors(job.Model.Group[0]), key=lambda f: f.face.BoundBox.XMin)
+    faces = sorted(find_floors(job.Model.Group[0]), key=lambda f: f.face.BoundBox.XMin)
     requests = {f.name: request_of(job, f.name) for f in faces}
     results: dict[str, Any] = {}
     kept: dict[str, Any] = {}

@@ -13,7 +13,8 @@ import FreeCAD
 import Part
 
 from freecad_spiralpocket import api, picture
-from freecad_spiralpocket.op import compat, results, selection
+from freecad_spiralpocket.op import compat, results
+from freecad_spiralpocket.op.floors import find_floors
 
 HERE = Path(__file__).resolve().parent
 
@@ -45,7 +46,7 @@ def main(folder):
     document = FreeCAD.newDocument("Rib")
     job = make_job(document)
     model = job.Model.Group[0]
-    floors = sorted(selection.find_floors(model), key=lambda f: f.face.BoundBox.XMin)
+    floors = sorted(find_floors(model), key=lambda f: f.face.BoundBox.XMin)
     op = api.add_spiral_pocket(job, [(model, [f.name for f in floors])])
 
     written = ["rib.FCStd", "rib.png", *POSTS]

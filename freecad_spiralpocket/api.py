@@ -26,6 +26,7 @@ import FreeCAD
 from . import posting
 from .engine.errors import RequestError, SelectionError, SetupError
 from .op import compat, operation, properties, selection
+from .op.floors import find_floors
 
 _NO_FLOORS = (
     "The floors are not given as parts with names of faces.",
@@ -38,7 +39,8 @@ __all__ = ["add_spiral_pocket", "export", "floors"]
 def floors(part: Any) -> list[str]:
     """Return the names of all faces of a part that are floors of pockets, the highest first.
 
-    With walls all around; a floor that is open at a side has to be named.
+    With walls all around; a floor that is open at a side has to be named. Of one that seams cut
+    into several faces all are named, which an operation takes as one.
 
     Parameters
     ----------
@@ -52,8 +54,8 @@ def floors(part: Any) -> list[str]:
     """
     if not hasattr(part, "Shape"):
         raise SelectionError(*_no_part(part))
-    found = sorted(selection.find_floors(part), key=lambda floor: -floor.z)
-    return [floor.name for floor in found]
+    found = sorted(find_floors(part), key=lambda floor: -floor.z)
+    return [name for floor in found for name in floor.names]
 
 
 def add_spiral_pocket(

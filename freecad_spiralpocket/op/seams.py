@@ -21,14 +21,27 @@ def groups(selected: Sequence[tuple[Any, str]]) -> list[tuple[Any, tuple[str, ..
     """Return pairs of model and names of faces, those together that meet at one height."""
     if len(selected) == 1:
         return [(model, (name,)) for model, name in selected]
-    found: list[tuple[Any, list[str], set[tuple[int, int]]]] = []
-    for model, name in selected:
-        names, edges = [name], _level_edges(model, name)
+    edges = [_level_edges(_face(model, name)) for model, name in selected]
+    together = _together([(model, own) for (model, _), own in zip(selected, edges, strict=True)])
+    return [(selected[which[0]][0], tuple(selected[i][1] for i in which)) for which in together]
+
+
+def meeting(faces: Sequence[tuple[str, Any]]) -> list[tuple[str, ...]]:
+    """Return the names of one shape's faces, those together that meet at one height."""
+    together = _together([(None, _level_edges(face)) for _, face in faces])
+    return [tuple(faces[i][0] for i in which) for which in together]
+
+
+def _together(level: Sequence[tuple[Any, set[tuple[int, int]]]]) -> list[list[int]]:
+    """Return the numbers of pairs of model and edges, those together that share an edge."""
+    found: list[tuple[Any, list[int], set[tuple[int, int]]]] = []
+    for number, (model, edges) in enumerate(level):
+        numbers = [number]
         for other in [o for o in found if o[0] is model and o[2] & edges]:
-            names, edges = [*other[1], *names], other[2] | edges
+            numbers, edges = [*other[1], *numbers], other[2] | edges
             found.remove(other)
-        found.append((model, names, edges))
-    return [(model, tuple(names)) for model, names, _ in found]
+        found.append((model, numbers, edges))
+    return [numbers for _, numbers, _ in found]
 
 
 def joined(solid: Any, faces: Sequence[Any]) -> tuple[Any, Any] | None:
@@ -53,13 +66,17 @@ def face_at(shape: Any, z: float, place: Any) -> Any:
     return None
 
 
-def _level_edges(model: Any, name: str) -> set[tuple[int, int]]:
-    """Return the edges of a level face, each with the face's height in tenths of a micrometer."""
+def _face(model: Any, name: str) -> Any:
+    """Return a model's element, None if it is not there."""
     try:
-        face = model.Shape.getElement(name)
+        return model.Shape.getElement(name)
     except STALE_ELEMENT_ERRORS:
-        return set()
-    if face.ShapeType != "Face" or not is_at_one_height(face):
+        return None
+
+
+def _level_edges(face: Any) -> set[tuple[int, int]]:
+    """Return the edges of a level face, each with the face's height in tenths of a micrometer."""
+    if face is None or face.ShapeType != "Face" or not is_at_one_height(face):
         return set()
     z = round(face.BoundBox.ZMin / SAME_HEIGHT)
     return {(edge.hashCode(), z) for edge in face.Edges}

@@ -8,7 +8,7 @@ elsewhere; that of a window is laid under it (windows.py).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -68,6 +68,11 @@ class Floor:
     def is_window(self) -> bool:
         """Return whether it is a board under a window."""
         return not self.part.isSame(self.solid)
+
+    @property
+    def names(self) -> list[str]:
+        """Return the name of each face that makes it."""
+        return self.name.split(", ")
 
     @property
     def label(self) -> str:
@@ -338,23 +343,6 @@ def _solid_of(shape: Any, face: Any, where: str, known: Known) -> tuple[Any, Adj
         f"The part with {where} is an open shell, not a closed solid.",
         "Close it first (Part workbench, Check Geometry and Convert to Solid).",
     )
-
-
-def find_floors(model: Any) -> Iterator[Floor]:
-    """Yield every face of `model` that is the floor of a pocket, walled all around."""
-    known = Known()
-    shape = model.Shape
-    for number, face in enumerate(shape.Faces, 1):
-        normal = normal_of_plane(face)
-        # whether a window is a pocket only the machinist knows
-        if normal is None or abs(normal.z) < LEVEL_TOLERANCE:
-            continue
-        try:
-            found = floor(model, f"Face{number}", known, shape)
-        except SelectionError:
-            continue
-        if not found.open_edges:
-            yield found
 
 
 def in_model(job: Any, base: Any, name: str) -> tuple[Any, str]:

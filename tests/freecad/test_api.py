@@ -183,7 +183,7 @@ def test_a_floor_cut_by_seams_is_one_pocket(doc):
     ]
     part = add_part(doc, halves[0].fuse(halves[1:]).Solids[0])
     faces = faces_at(part.Shape, -DEPTH)
-    assert len(faces) == 2
+    assert len(faces) == 2 and sorted(api.floors(part)) == sorted(faces)
     job = add_job(doc, part)
     op = api.add_spiral_pocket(job, [(part, faces)], **QUICK)
     assert len(op.Proxy.plans) == 1 and not any("open at a side" in n for n in op.Notices)
@@ -204,6 +204,7 @@ def test_a_part_of_a_floor_without_walls_asks_for_all_of_it(doc):
     part = add_part(doc, whole.cut(middle).fuse(whole.common(middle)).Solids[0])
     job = add_job(doc, part)
     inner = min(faces_at(part.Shape, -DEPTH), key=lambda name: part.Shape.getElement(name).Area)
+    assert sorted(api.floors(part)) == sorted(faces_at(part.Shape, -DEPTH))
     with pytest.raises(SelectionError, match="no wall rises from it.*all faces that make"):
         api.add_spiral_pocket(job, [(part, [inner])], **QUICK)
 

@@ -10,7 +10,8 @@ import pytest
 from sample_parts import add_part
 from sample_programs import write
 
-from freecad_spiralpocket.op import geometry, selection
+from freecad_spiralpocket.op import geometry
+from freecad_spiralpocket.op.floors import find_floors
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 POCKETS = 9
@@ -39,7 +40,7 @@ def test_the_shipped_rib_is_the_one_that_the_script_builds(shipped):
 
 def test_the_rib_has_nine_rounded_pockets(doc, shipped):
     rib = module("rib")
-    floors = list(selection.find_floors(add_part(doc, shipped)))
+    floors = list(find_floors(add_part(doc, shipped)))
     assert len(floors) == POCKETS
     sides = sorted(sum(e.Curve.TypeId == "Part::GeomLine" for e in f.face.Edges) for f in floors)
     assert sides == [3, 3, 4, 4, 4, 4, 4, 4, 4]

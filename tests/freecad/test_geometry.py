@@ -23,6 +23,7 @@ from sample_parts import (
 
 from freecad_spiralpocket.engine.errors import SelectionError
 from freecad_spiralpocket.op import geometry, selection
+from freecad_spiralpocket.op.floors import find_floors
 
 SAG = 0.005
 ROUNDING = 1e-7
@@ -201,7 +202,7 @@ def test_find_floors_finds_closed_pockets_only(doc):
 
     shape = block(area(circle(12)), area(circle(9, 40, 0)))
     shape = shape.cut(Part.makeBox(10, 200, 2, Vector(20, -100, -2)))  # an open slot
-    names = [f.name for f in selection.find_floors(add_part(doc, shape))]
+    names = [f.name for f in find_floors(add_part(doc, shape))]
     assert sorted(names) == sorted(faces_at(shape, -DEPTH))
 
 
