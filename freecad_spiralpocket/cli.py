@@ -18,11 +18,12 @@ from typing import Any
 
 import FreeCAD
 
-from . import api, posting
+from . import api, picture, posting
 from .arguments import positive
 from .engine.errors import SelectionError, SetupError, SpiralPocketError
 from .engine.model import Progress
-from .op import compat, operation, part_files, results, selection
+from .op import compat, operation, part_files, results
+from .op.floors import find_floors
 
 #: What a new tool controller gets where nothing is said [mm/min].
 FEED, RAPID = 1000.0, 5000.0
@@ -130,6 +131,8 @@ def run(args: argparse.Namespace) -> Any:
     for file in (args.output, args.png, args.fcstd):  # what is planned takes its time
         if file is not None:
             posting.check_file(file)
+    if args.png:
+        picture.check(args.png)
     if args.output:
         posting.check_post(args.post)
     document, outline = part_files.load(args.part, args.depth or DEPTH)
@@ -212,21 +215,21 @@ def choose_faces(model: Any, names: Sequence[str] | None) -> list[str]:
     names = [name.strip().capitalize() for one in names or () for name in one.split(",")]
     if names and "All" not in names:
         return names
-    floors = sorted(selection.find_floors(model), key=lambda f: f.face.BoundBox.XMin)
+    floors = sorted(find_floors(model), key=lambda f: f.face.BoundBox.XMin)
     if not floors:
         raise SelectionError(
             "The part has no pocket that is walled all around.", "Name its floor with --face."
         )
     if len(floors) > 1 and not names:
         listed = "\n".join(
-            f"  --face {f.name:8} at Z{f.z:g}, {f.face.Area / 100:.1f} cm2, around "
+            f"  --face {','.join(f.names):8} at Z{f.z:g}, {f.face.Area / 100:.1f} cm2, around "
             f"X{f.face.CenterOfMass.x:.1f} Y{f.face.CenterOfMass.y:.1f}"
             for f in floors
         )
         raise SelectionError(
             f"The part has {len(floors)} pockets.", f"Choose with --face, or --face all:\n{listed}"
         )
-    return [f.name for f in floors]
+    return [name for f in floors for name in f.names]
 
 
 def tool_controller(job: Any, diameter: float | None) -> Any:
@@ -298,8 +301,6 @@ def write(args: argparse.Namespace, job: Any, op: Any) -> None:
     if args.output:
         api.export(job, args.output, args.post, args.post_args)
     if args.png:
-        from . import picture
-
         tool = compat.tool_name(op.ToolController.Tool)
         picture.draw(op.Proxy.plans, args.png, f"{args.part.stem}, {tool}")
     if args.fcstd:

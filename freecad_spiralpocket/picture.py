@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -47,6 +48,26 @@ COLOR_MAP = "turbo"
 LIMIT_SHARE = 1.6
 
 
+def check(path: str | os.PathLike[str]) -> None:
+    """Check that pictures can be drawn, and into such a file.
+
+    Raises
+    ------
+    SetupError
+    """
+    try:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure  # noqa: F401
+    except ImportError as error:
+        raise SetupError(
+            "Drawing the path needs the Python library matplotlib, which this FreeCAD lacks.",
+            "Install it with the Addon Manager or pip, or leave the picture out.",
+        ) from error
+    kind = Path(path).suffix.lstrip(".").lower()
+    if kind not in FigureCanvasAgg.get_supported_filetypes():
+        raise SetupError(f"Cannot write {path}: it is no picture's name.", "Name a .png file.")
+
+
 def draw(plans: Sequence[Plan], path: str | os.PathLike[str], title: str = "") -> None:
     """Draw the pockets into a picture file.
 
@@ -63,14 +84,10 @@ def draw(plans: Sequence[Plan], path: str | os.PathLike[str], title: str = "") -
     SetupError
         If matplotlib is missing or the file cannot be written.
     """
-    try:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise SetupError(
-            "Drawing the path needs the Python library matplotlib, which this FreeCAD lacks.",
-            "Install it with the Addon Manager or pip, or leave the picture out.",
-        ) from error
+    check(path)
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
     figure = Figure(figsize=_size(plans), dpi=DPI, layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
@@ -86,8 +103,6 @@ def draw(plans: Sequence[Plan], path: str | os.PathLike[str], title: str = "") -
         raise SetupError(
             f"Cannot write {path}: {error.strerror}.", "Choose another file."
         ) from error
-    except ValueError as error:  # of no kind that matplotlib draws
-        raise SetupError(f"Cannot write {path}: {error}.", "Name a .png file.") from error
 
 
 def _size(plans: Sequence[Plan]) -> tuple[float, float]:

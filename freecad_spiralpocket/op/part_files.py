@@ -9,12 +9,17 @@ It may name a cutter diameter `tool` and a largest radial depth of cut `ae`.
 from __future__ import annotations
 
 import json
+import math
+import re
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import FreeCAD
 import Part
+import shapely
 from FreeCAD import Vector
+from shapely import Polygon
 
 from ..engine.errors import SetupError
 from .compat import PathJob, original
@@ -23,6 +28,8 @@ from .solids import closed
 SHAPE_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 #: What an outline may hold in lists.
 SHAPES = ("outer", "holes")
+#: Points closer than this are one [mm].
+SAME = 1e-9
 #: Material around and below the pocket of an outline [mm].
 MARGIN = 15.0
 BELOW = 5.0
@@ -60,6 +67,7 @@ def load(path: Path, depth: float) -> tuple[Any, dict[str, float]]:
         outline = _outline(path)
         try:
             values = {k: float(outline[k]) for k in ("tool", "ae") if k in outline}
+            _check_rings(path.name, outline["outer"], outline.get("holes", []))
             shape = block(outline["outer"], outline.get("holes", []), depth)
         except (TypeError, ValueError, IndexError, Part.OCCError) as error:
             raise SetupError(
@@ -183,8 +191,50 @@ def _outline(path: Path) -> dict[str, Any]:
     return outline
 
 
+def _check_rings(name: str, outer: Any, holes: Any) -> None:
+    """Check that the rings of an outline are such, and each hole an island in it.
+
+    Raises
+    ------
+    SetupError
+    """
+    pocket = _area(name, "outer", outer)
+    for i, hole in enumerate(holes):
+        island = _area(name, f"holes[{i}]", hole)
+        if not island.intersection(Polygon(outer)).area:
+            x, y = hole[0]
+            raise SetupError(
+                f"holes[{i}] of {name}, at X{x:.1f} Y{y:.1f}, lies outside of outer.",
+                "Move that island into the pocket, or leave it out.",
+            )
+        pocket = pocket.difference(island)
+    if not pocket.area:
+        raise SetupError(
+            f"The islands of {name} leave nothing of its pocket.", "Look at its holes."
+        )
+
+
+def _area(name: str, ring: str, points: Any) -> Polygon:
+    """Return what a ring of an outline encloses."""
+    corners = [(float(x), float(y)) for x, y in points]
+    if not all(math.isfinite(value) for corner in corners for value in corner):
+        raise ValueError("a point is not finite")
+    area = Polygon(corners) if len(corners) > 2 else Polygon()
+    if not shapely.convex_hull(area).area:
+        raise SetupError(
+            f"{ring} of {name} has no area: its points lie on one line.",
+            "Give the corners of the ring one after the other.",
+        )
+    if not area.is_valid:
+        x, y = re.findall(r"[-+\d.e]+", shapely.is_valid_reason(area))[-2:]
+        raise SetupError(
+            f"{ring} of {name} crosses or touches itself at X{float(x):.1f} Y{float(y):.1f}.",
+            "Give the corners of the ring one after the other.",
+        )
+    return area
+
+
 def _wire(points: Any) -> Any:
     corners = [Vector(x, y, 0) for x, y in points]
-    if corners[0].distanceToPoint(corners[-1]) < 1e-9:
-        corners.pop()
+    corners = [p for before, p in pairwise([corners[-1], *corners]) if (p - before).Length > SAME]
     return Part.makePolygon([*corners, corners[0]])

@@ -93,6 +93,14 @@ def test_an_outline_with_islands_by_another_name_is_refused(tmp_path, capsys):
     assert cli.main([str(path), "--tool", "0.25 in", "--stepover", "30%"]) == 0
 
 
+def test_an_outline_may_repeat_points_and_have_islands_at_its_wall(tmp_path):
+    outer, hole = [[0, 0], *SQUARE, [0, 18]], [[20, 6], [30, 6], [30, 12], [20, 12], [20, 6]]
+    path = tmp_path / "pocket.json"
+    path.write_text(json.dumps({"outer": outer, "holes": [hole]}))
+    (made,) = call(path, "--tool", 4).Proxy.plans
+    assert made.request.pocket.area == pytest.approx(24 * 18 - 4 * 6)
+
+
 def test_a_pocket_that_is_not_cut_shows_in_the_exit_code(tmp_path):
     pockets = block(area(rectangle(40, 30, 4)), area(rectangle(5, 5, 1, 60, 0)))
     path = saved(pockets, tmp_path / "two.brep")
@@ -214,6 +222,7 @@ def test_a_picture_and_another_post(one_pocket, tmp_path):
 def test_a_picture_without_matplotlib_is_refused(one_pocket, tmp_path, capsys, monkeypatch):
     part, picture = saved(one_pocket, tmp_path / "part.brep"), str(tmp_path / "p.png")
     monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    monkeypatch.setattr(cli.api, "add_spiral_pocket", None)
     assert cli.main([str(part), "--tool", "6", "--png", picture, *QUICK]) == 1
     assert "library matplotlib" in capsys.readouterr().err
 
@@ -232,6 +241,11 @@ def test_where_nothing_can_be_written_nothing_is_planned(
     assert words in capsys.readouterr().err and not folder.exists()
 
 
+def outline(*outer, hole=None):
+    """Return an outline as JSON."""
+    return json.dumps({"outer": outer, "holes": [] if hole is None else [hole]})
+
+
 @pytest.mark.parametrize(
     ("name", "content", "words"),
     [
@@ -241,10 +255,23 @@ def test_where_nothing_can_be_written_nothing_is_planned(
         ("part.json", "{", "is not JSON"),
         ("part.json", "{}", "has no outline"),
         ("part.json", '{"outer": [[0, 0], [9, "a"], [9, 9]]}', "has no outline"),
+        ("part.json", '{"outer": [[0, 0], [NaN, 9], [9, 9]]}', "has no outline"),
+        ("part.json", outline([0, 0], [30, 30], [30, 0], [0, 30]), "at X15.0 Y15.0"),
+        (
+            "part.json",
+            outline([0, 0], [30, 0], [30, 30], [15, 0], [0, 30]),
+            "touches itself at X15",
+        ),
+        ("part.json", outline([0, 0], [30, 0], [90, 0]), "outer of part.json has no area"),
+        ("part.json", outline(*SQUARE, hole=[[3, 3], [6, 6], [6, 3], [3, 6]]), "holes[0] of"),
+        ("part.json", outline(*SQUARE, hole=[[3, 3], [6, 6]]), "holes[0] of part.json has no area"),
+        ("part.json", outline(*SQUARE, hole=[[30, 3], [36, 6], [36, 3]]), "lies outside of"),
+        ("part.json", outline(*SQUARE, hole=[[-1, -1], [60, -1], [60, 60], [-1, 60]]), "nothing"),
         ("part.FCStd", "nonsense", "cannot be read"),
     ],
 )
-def test_a_file_that_is_no_part_is_named(tmp_path, capsys, name, content, words):
+def test_a_file_that_is_no_part_is_named(tmp_path, capsys, monkeypatch, name, content, words):
+    monkeypatch.setattr(cli.api, "add_spiral_pocket", None)
     path = tmp_path / name
     if content is not None:
         path.write_text(content)
@@ -285,6 +312,7 @@ def test_speeds_that_are_set_stay(one_pocket, tmp_path):
         (["--tool", "6", "--set", "StepOver=inf"], "StepOver cannot be inf"),
         (["--tool", "6", "--set", "UseStartPoint=perhaps"], "True or False"),
         (["--tool", "6", *QUICK, "--png", "part.xyz"], "Name a .png file"),
+        (["--tool", "6", *QUICK, "--png", "part"], "Name a .png file"),
     ],
 )
 def test_what_cannot_be_cut_ends_with_a_sentence(one_pocket, tmp_path, capsys, arguments, words):
