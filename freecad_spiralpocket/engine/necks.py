@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -45,11 +45,12 @@ TOLD_ONE_BY_ONE = 3
 
 @dataclass(frozen=True, slots=True)
 class _Part:
-    """A part that stays: width of the way in, a place, and area [mm, mm2]."""
+    """A part that stays: width of the way in, or of a whole room, a place, and area [mm, mm2]."""
 
     width: float
     place: tuple[float, float]
     area: float
+    is_room: bool = False
 
 
 def unreachable_notices(
@@ -69,27 +70,39 @@ def unreachable_notices(
     rooms = [grow(room, HAIR) for room in polygons_of(grow(target, -HAIR))]
     found = [part for room in rooms for part in _parts_in(room, regions, cutter_radius)]
     parts = _joined(found, cutter_radius)
-    cutter = 2 * cutter_radius
+    kinds = ([part for part in parts if part.is_room is it] for it in (False, True))
+    return tuple(notice for kind in kinds for notice in _notices(kind, 2 * cutter_radius))
+
+
+def _notices(parts: Sequence[_Part], cutter: float) -> list[Notice]:
+    """Return what is told of parts that are all rooms, or all behind necks."""
     if len(parts) > TOLD_ONE_BY_ONE:
         widest = max(parts, key=lambda part: (part.width, part.place))
-        return (
+        many, width = len(parts), _mm(widest.width)
+        area = told_area(sum(part.area for part in parts))
+        return [
             Notice(
-                f"The {cutter:g} mm cutter does not fit {len(parts)} necks, up to "
-                f"{_mm(widest.width)} mm wide, the widest at {{at}}; these parts "
-                f"({told_area(sum(part.area for part in parts))} mm2) stay uncut.",
+                f"The {cutter:g} mm cutter does not fit {many} rooms, up to {width} mm wide, the "
+                f"widest at {{at}}; these ({area} mm2) stay uncut."
+                if widest.is_room
+                else f"The {cutter:g} mm cutter does not fit {many} necks, up to {width} mm wide, "
+                f"the widest at {{at}}; these parts ({area} mm2) stay uncut.",
                 _advice([part.width for part in parts], cutter),
                 widest.place,
-            ),
-        )
-    return tuple(
+            )
+        ]
+    return [
         Notice(
-            f"The {cutter:g} mm cutter does not fit the {_mm(part.width)} mm neck at {{at}}; that "
-            f"part ({told_area(part.area)} mm2) stays uncut.",
+            f"The {cutter:g} mm cutter does not fit the room at {{at}}, {_mm(part.width)} mm wide "
+            f"at its widest; that part ({told_area(part.area)} mm2) stays uncut."
+            if part.is_room
+            else f"The {cutter:g} mm cutter does not fit the {_mm(part.width)} mm neck at {{at}}; "
+            f"that part ({told_area(part.area)} mm2) stays uncut.",
             _advice([part.width], cutter),
             part.place,
         )
         for part in parts
-    )
+    ]
 
 
 def _parts_in(room: Polygon, regions: Sequence[Polygon], radius: float) -> list[_Part]:
@@ -97,7 +110,7 @@ def _parts_in(room: Polygon, regions: Sequence[Polygon], radius: float) -> list[
     centers = MultiPolygon([region for region in regions if region.intersects(room)])
     if centers.is_empty:
         place, widest = widest_disc(room)
-        return [_Part(2 * widest, place, room.area)] if widest > TOLD_SHARE * radius else []
+        return [_Part(2 * widest, place, room.area, True)] if widest > TOLD_SHARE * radius else []
     # films along walls would join corners
     reached = grow(centers, (1 + NEAR / 4) * radius)
     rest = polygons_of(shapely.difference(room, reached))
@@ -228,7 +241,8 @@ def _joined(parts: Sequence[_Part], radius: float) -> list[_Part]:
     for part in parts:
         for i, other in enumerate(joined):
             if math.dist(part.place, other.place) < APART * radius:
-                joined[i] = _Part(min(part.width, other.width), other.place, part.area + other.area)
+                width, area = min(part.width, other.width), part.area + other.area
+                joined[i] = replace(other, width=width, area=area)
                 break
         else:
             joined.append(part)

@@ -12,7 +12,7 @@ from typing import Any
 import shapely
 from shapely import Polygon
 
-from ..engine.errors import told_area
+from ..engine.errors import Place, told_area
 from ..engine.machine import machine_of
 from ..engine.model import Heights, Notice, PocketRequest
 from .compat import flat_end, parent_job, spindle_start, tool_name, tool_shape
@@ -23,6 +23,8 @@ from .tools import BULL_NOSES, ROUND_TOOLS
 
 #: Of so many pockets more that have much the same the notices are not told one by one.
 MANY = 3
+#: Of so many of those the places are told.
+MOST_PLACES = 20
 #: A figure in a notice.
 _FIGURE = re.compile(r"\d+(?:\.\d+)?")
 #: A smaller share of a pocket that was cleared before is none.
@@ -40,7 +42,8 @@ TOLD_BESIDE = 0.5
 def labelled(told: Sequence[tuple[str, Notice]], pockets: int) -> list[Notice]:
     """Return notices, each once with the labels of the pockets that have it, if not all have it.
 
-    Of many that differ in figures and places only the one with the largest figures.
+    Of many that differ in figures and places only the one with the largest figures, and the places
+    of the others.
 
     Parameters
     ----------
@@ -67,10 +70,20 @@ def labelled(told: Sequence[tuple[str, Notice]], pockets: int) -> list[Notice]:
         if len(shown) < pockets:
             message = f"{'; '.join(shown)}: {message}"
         if more >= MANY:
-            much = f"Much the same is told of {more} more pockets."
-            message = f"{message} {much}"
+            places = [one.place for one in same if one is not largest and one.place is not None]
+            message = f"{message} {_much_the_same(more, places)}"
         found[replace(largest, message=message)] = None
     return list(found)
+
+
+def _much_the_same(pockets: int, places: Sequence[Place]) -> str:
+    """Return what is told of so many more pockets, and where, once for each place [mm]."""
+    told = list(dict.fromkeys(f"X{x:.1f} Y{y:.1f}" for x, y in places))
+    if not told:
+        return f"Much the same is told of {pockets} more pockets."
+    if len(told) > MOST_PLACES:
+        told = [*told[:MOST_PLACES], "..."]
+    return f"Much the same is told of {pockets} more pockets (at {', '.join(told)})."
 
 
 def _words(notice: Notice) -> tuple[str, ...]:

@@ -971,6 +971,10 @@
         <translation>Diese Operation hinter die mit dem größeren Fräser schieben oder UseRestMachining ausschalten. Nur flache Schaftfräser zählen: runde hinterlassen Rillen.</translation>
     </message>
     <message>
+        <source>Much the same is told of {0} more pockets (at {1}).</source>
+        <translation>Fast dasselbe gilt für {0} weitere Taschen (bei {1}).</translation>
+    </message>
+    <message>
         <source>Much the same is told of {0} more pockets.</source>
         <translation>Fast dasselbe gilt für {0} weitere Taschen.</translation>
     </message>
@@ -1503,12 +1507,20 @@
         <translation>Der {0}-mm-Fräser passt nicht in die Tasche{1}: sie ist an ihrer weitesten Stelle, bei {at}, {2} mm breit.</translation>
     </message>
     <message>
+        <source>The {0} mm cutter does not fit the room at {at}, {1} mm wide at its widest; that part ({2} mm2) stays uncut.</source>
+        <translation>Der {0}-mm-Fräser passt nicht in den Raum bei {at}, der an der breitesten Stelle {1} mm breit ist; dieser Teil ({2} mm2) bleibt stehen.</translation>
+    </message>
+    <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>Der {0}-mm-Fräser passt nicht durch die Engstelle von {1} mm bei {at}; dieser Teil ({2} mm2) bleibt stehen.</translation>
     </message>
     <message>
         <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
         <translation>Der {0}-mm-Fräser passt nicht durch {1} Engstellen von bis zu {2} mm, die breiteste bei {at}; diese Teile ({3} mm2) bleiben stehen.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} rooms, up to {2} mm wide, the widest at {at}; these ({3} mm2) stay uncut.</source>
+        <translation>Der {0}-mm-Fräser passt nicht in {1} Räume von bis zu {2} mm Breite, der breiteste bei {at}; diese ({3} mm2) bleiben stehen.</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

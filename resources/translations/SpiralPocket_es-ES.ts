@@ -971,6 +971,10 @@
         <translation>Mueva esta operación detrás de la de la fresa mayor, o desactive UseRestMachining. Solo cuentan las fresas planas: las redondas dejan crestas.</translation>
     </message>
     <message>
+        <source>Much the same is told of {0} more pockets (at {1}).</source>
+        <translation>Casi lo mismo vale para otras {0} cajeras (en {1}).</translation>
+    </message>
+    <message>
         <source>Much the same is told of {0} more pockets.</source>
         <translation>Casi lo mismo vale para otras {0} cajeras.</translation>
     </message>
@@ -1503,12 +1507,20 @@
         <translation>La fresa de {0} mm no cabe en la cajera{1}: mide {2} mm en lo más ancho, en {at}.</translation>
     </message>
     <message>
+        <source>The {0} mm cutter does not fit the room at {at}, {1} mm wide at its widest; that part ({2} mm2) stays uncut.</source>
+        <translation>La fresa de {0} mm no cabe en el espacio en {at}, de {1} mm en su parte más ancha; esa parte ({2} mm2) queda sin cortar.</translation>
+    </message>
+    <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>La fresa de {0} mm no pasa por el estrecho de {1} mm en {at}; esa parte ({2} mm2) queda sin cortar.</translation>
     </message>
     <message>
         <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
         <translation>La fresa de {0} mm no pasa por {1} estrechos de hasta {2} mm, el más ancho en {at}; esas partes ({3} mm2) quedan sin cortar.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} rooms, up to {2} mm wide, the widest at {at}; these ({3} mm2) stay uncut.</source>
+        <translation>La fresa de {0} mm no cabe en {1} espacios de hasta {2} mm, el más ancho en {at}; estos ({3} mm2) quedan sin cortar.</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

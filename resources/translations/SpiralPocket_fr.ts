@@ -971,6 +971,10 @@
         <translation>Placez cette opération après celle de la plus grande fraise, ou désactivez UseRestMachining. Seules comptent les fraises plates : les rondes laissent des crêtes.</translation>
     </message>
     <message>
+        <source>Much the same is told of {0} more pockets (at {1}).</source>
+        <translation>Il en est presque de même pour {0} autres poches (en {1}).</translation>
+    </message>
+    <message>
         <source>Much the same is told of {0} more pockets.</source>
         <translation>Il en est presque de même pour {0} autres poches.</translation>
     </message>
@@ -1503,12 +1507,20 @@
         <translation>La fraise de {0} mm n'entre pas dans la poche{1} : elle fait {2} mm au plus large, en {at}.</translation>
     </message>
     <message>
+        <source>The {0} mm cutter does not fit the room at {at}, {1} mm wide at its widest; that part ({2} mm2) stays uncut.</source>
+        <translation>La fraise de {0} mm n'entre pas dans l'espace en {at}, large de {1} mm au plus ; cette partie ({2} mm2) reste non usinée.</translation>
+    </message>
+    <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>La fraise de {0} mm ne passe pas l'étranglement de {1} mm en {at} ; cette partie ({2} mm2) reste non usinée.</translation>
     </message>
     <message>
         <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
         <translation>La fraise de {0} mm ne passe pas {1} étranglements, larges de {2} mm au plus, le plus large en {at} ; ces parties ({3} mm2) restent non usinées.</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} rooms, up to {2} mm wide, the widest at {at}; these ({3} mm2) stay uncut.</source>
+        <translation>La fraise de {0} mm n'entre pas dans {1} espaces, larges de {2} mm au plus, le plus large en {at} ; ceux-ci ({3} mm2) restent non usinés.</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

@@ -971,6 +971,10 @@
         <translation>请将此操作移到使用大刀具的操作之后，或关闭 UseRestMachining。只有平底立铣刀才算数：圆头刀会留下残脊。</translation>
     </message>
     <message>
+        <source>Much the same is told of {0} more pockets (at {1}).</source>
+        <translation>另有 {0} 个型腔情况大致相同（位于 {1}）。</translation>
+    </message>
+    <message>
         <source>Much the same is told of {0} more pockets.</source>
         <translation>另有 {0} 个型腔情况大致相同。</translation>
     </message>
@@ -1503,12 +1507,20 @@
         <translation>{0} mm 刀具放不进型腔{1}：最宽处在 {at}，仅 {2} mm。</translation>
     </message>
     <message>
+        <source>The {0} mm cutter does not fit the room at {at}, {1} mm wide at its widest; that part ({2} mm2) stays uncut.</source>
+        <translation>{0} mm 刀具进不了 {at} 处的区域（最宽处 {1} mm）；该部分（{2} mm2）未切除。</translation>
+    </message>
+    <message>
         <source>The {0} mm cutter does not fit the {1} mm neck at {at}; that part ({2} mm2) stays uncut.</source>
         <translation>{0} mm 刀具通不过 {at} 处 {1} mm 的窄颈；该部分（{2} mm2）未切除。</translation>
     </message>
     <message>
         <source>The {0} mm cutter does not fit {1} necks, up to {2} mm wide, the widest at {at}; these parts ({3} mm2) stay uncut.</source>
         <translation>{0} mm 刀具通不过 {1} 处窄颈（最宽 {2} mm，位于 {at}）；这些部分（{3} mm2）未切除。</translation>
+    </message>
+    <message>
+        <source>The {0} mm cutter does not fit {1} rooms, up to {2} mm wide, the widest at {at}; these ({3} mm2) stay uncut.</source>
+        <translation>{0} mm 刀具进不了 {1} 处区域（最宽 {2} mm，位于 {at}）；这些区域（{3} mm2）未切除。</translation>
     </message>
     <message>
         <source>The {0} mm cutter fits the pocket, but has no room for its helix at {at} (circle of {1} mm).</source>

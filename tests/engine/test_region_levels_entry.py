@@ -181,8 +181,19 @@ def test_rooms_that_also_meet_round_the_end_of_a_bridge_have_no_neck_beside_it()
 def test_a_room_beyond_a_bridge_is_told_with_its_own_width():
     pocket = beside_a_bridge(4.1, at=0.0)
     (notice,) = unreachable_notices(pocket, center_regions(pocket, 4.0, 0.0), 4.0, 0.0)
-    assert "4.1 mm neck" in notice.message and "164 mm2" in notice.message
+    assert "does not fit the room at" in notice.message and "4.1 mm wide" in notice.message
+    assert "neck" not in notice.message and "164 mm2" in notice.message
     assert notice.hint == "A cutter below 4.1 mm reaches it." and 27 < notice.place[1] < 32
+
+
+def test_many_rooms_without_a_neck_are_told_together_beside_necks():
+    rooms = [box(60.0 * i, 0, 60.0 * i + 40, 4 + 0.1 * i) for i in range(5)]
+    bridges = [box(60.0 * i, 1, 60.0 * i + 60, 1.001) for i in range(5)]
+    large = box(300, 0, 340, 40).union(box(339, 10, 360, 15))
+    pocket = shapely.union_all([*rooms, *bridges, large])
+    neck, told = unreachable_notices(pocket, center_regions(pocket, 4.0, 0), 4.0, 0)
+    assert "5 mm neck" in neck.message
+    assert "5 rooms, up to 4.4 mm wide" in told.message and 240 < told.place[0] < 280
 
 
 @given(st.floats(0.5, 40), st.floats(0.2, 20), st.floats(0, 0.2))

@@ -171,9 +171,22 @@ def of_pockets(*angles):
 def test_what_is_much_the_same_of_many_pockets_is_told_once():
     (told,) = remarks.labelled(of_pockets(101.5, 99.25, 112, 101.5, 98), 5)
     assert told.message == (
-        "Part, Face2: At {at} it reaches 112 degrees. Much the same is told of 4 more pockets."
+        "Part, Face2: At {at} it reaches 112 degrees. Much the same is told of 4 more pockets "
+        "(at X0.0 Y0.0, X1.0 Y0.0, X3.0 Y0.0, X4.0 Y0.0)."
     )
     assert told.place == (2, 0.0) and told.hint == "Mind that."
+
+
+def test_places_of_very_many_pockets_end_somewhere():
+    (told,) = remarks.labelled(of_pockets(*range(100, 150)), 50)
+    assert told.message.count(" Y0.0") == remarks.MOST_PLACES
+    assert told.message.endswith(", ...).")
+
+
+def test_without_places_there_are_none():
+    told = [(f"Part, Face{i}", Notice(f"It lies {i} mm too high.")) for i in range(5)]
+    (notice,) = remarks.labelled(told, 5)
+    assert notice.message.endswith("told of 4 more pockets.")
 
 
 def test_what_is_much_the_same_of_a_few_pockets_is_told_of_each():
