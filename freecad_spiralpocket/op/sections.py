@@ -235,7 +235,19 @@ class _Shapes:
             if i > 0 and own.may_have_more(shapes[i - 1]):
                 ground = self._walls.ground(just_below if top in ledges else bottom)
                 own.leave_out(ground, shapes[i - 1], self._places)
-        return [found[i] if i in found else shapes[i - 1] for i in range(len(shapes))]
+        mouths = [found[i] if i in found else shapes[i - 1] for i in range(len(shapes))]
+        levels = zip(mouths, shapes, tops[1:], strict=True)
+        return [self._without_selected(*level) for level in levels]
+
+    def _without_selected(self, mouth: Polygon, own: Polygon, bottom: float) -> Polygon:
+        """Return a level's mouth without what other selected pockets clear down to its bottom."""
+        if not any(mouth.contains(place) for place in self._places):
+            return mouth
+        ground = polygons_of(shapely.intersection(self._walls.ground(bottom), mouth))
+        others = [piece for piece in ground if not piece.intersects(own)]
+        cleared = [p for p in others if any(p.contains(place) for place in self._places)]
+        rest = polygons_of(shapely.difference(mouth, shapely.union_all(cleared)))
+        return next((piece for piece in rest if piece.intersects(own)), mouth)
 
     def _widens(self, z: float, place: tuple[float, float]) -> bool:
         """Return whether a place is in the pocket just above Z `z`, but not just below."""

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Ground that several pockets share is cut once, and never left to one that is not cut."""
 
+import Part
 import pytest
+from FreeCAD import Vector
 from sample_parts import add_job, add_part, box, faces_at, motion
 from solid_oracle import Stock, Surface, gouges, places
 
@@ -30,7 +32,7 @@ def cut(doc, shape, *heights, **options):
     part = add_part(doc, shape)
     job = add_job(doc, part, diameter=2 * R)
     names = [name for z in heights for name in faces_at(shape, z)]
-    return api.add_spiral_pocket(job, [(part, names)], StepDown=4.0, **options)
+    return api.add_spiral_pocket(job, [(part, names)], **{"StepDown": 4.0, **options})
 
 
 def assert_all_is_cut(op, shape, bounds, floor):
@@ -63,6 +65,19 @@ def test_of_pockets_in_each_other_the_upper_one_goes_first(doc, heights):
     begins = {plan.request.floor: plan.request.heights.start_depth for plan in plans}
     assert begins == {-4.0: 0.0, -6.0: 0.0, -9.0: -4.0}
     assert_all_is_cut(op, stepped(), (0.5, 0.5, 79.5, 59.5), -9.0)
+
+
+@pytest.mark.parametrize("step_down", [4.0, 7.0, 20.0])
+def test_steps_on_a_slanted_rib_are_no_wider_where_the_pockets_share_it(doc, step_down):
+    """Each side of the ridge leans 4.5 mm from its foot at Z-14 to its edge at Z-6."""
+    corners = [Vector(x, 0, z) for x, z in ((35.5, -14), (44.5, -14), (40, -6), (35.5, -14))]
+    ridge = Part.Face(Part.makePolygon(corners)).extrude(Vector(0, 60, 0))
+    plain = box(-6, -6, -18, 92, 72, 18).cut(box(0, 0, -14, 80, 60, 20))
+    op = cut(doc, plain.fuse(ridge).removeSplitter(), -14.0, StepDown=step_down)
+    assert len(op.Proxy.plans) == 2
+    told = [notice for notice in op.Notices if "keep steps up to" in notice]
+    widths = [float(notice.split("keep steps up to ")[1].split()[0]) for notice in told]
+    assert widths and max(widths) < 9.1
 
 
 def test_nothing_is_left_to_a_pocket_that_is_not_cut(doc, monkeypatch):
