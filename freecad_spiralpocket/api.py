@@ -288,11 +288,16 @@ def _set(op: Any, name: str, value: Any) -> None:
 
 
 def _check_kept(op: Any, name: str, value: Any) -> None:
-    """Refuse what FreeCAD has replaced by 0 without a word."""
-    kept = getattr(getattr(op, name), "Value", None)
-    is_number = isinstance(value, float | int) and not isinstance(value, bool)
-    if is_number and value < 0 and kept == 0:
+    """Refuse a number that FreeCAD has replaced by another one without a word."""
+    kept = getattr(op, name)
+    kept = getattr(kept, "Value", kept)
+    if any(isinstance(one, bool) or not isinstance(one, float | int) for one in (value, kept)):
+        return
+    if value < 0 and kept == 0:
         raise RequestError(f"{name} cannot be {value!r}: it is negative.", "Give 0 or more.")
+    if not math.isclose(value, kept, rel_tol=1e-6, abs_tol=1e-9) and math.isfinite(value):
+        side = "more" if value < kept else "less"
+        raise RequestError(f"{name} cannot be {value!r}.", f"Give {kept:g} or {side}.")
 
 
 def _hint_for(op: Any, name: str) -> str:

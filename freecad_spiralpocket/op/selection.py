@@ -82,8 +82,12 @@ class Floor:
 
 def label(model: Any, name: str) -> str:
     """Return what the user calls a face: by the part, where `model` is the job's copy of it."""
+    return f"{_name_of(model)}, {name.replace('?', '')}"
+
+
+def _name_of(model: Any) -> str:
     part = next(iter(getattr(model, "Objects", ())), model)
-    return f"{part.Label}, {name.replace('?', '')}"
+    return str(part.Label)
 
 
 def selected(base: list[tuple[Any, Any]]) -> list[tuple[Any, str]]:
@@ -301,7 +305,7 @@ def check_names(part: Any, names: Sequence[str]) -> None:
             part.Shape.getElement(name)
         except STALE_ELEMENT_ERRORS as error:
             raise SelectionError(
-                f"{part.Label} has no face {name}.",
+                f"{_name_of(part)} has no face {name}.",
                 f"Its faces are Face1 to Face{len(part.Shape.Faces)}.",
             ) from error
 

@@ -128,6 +128,7 @@ def test_a_step_over_that_cannot_be(setting, stepover):
         ("StepDown", 1e-6, "more than 500 levels"),
         ("SlotBite", 1e-5, "more than 500 levels"),
         ("SlotBite", -1, "SlotBite cannot be -1: it is negative"),
+        ("SlowdownPercent", 1000, "SlowdownPercent cannot be 1000. Give 100 or less"),
         ("StepOver", True, "StepOver cannot be True"),
         ("HelixAngle", "steep", "HelixAngle cannot be 'steep': [^{}]*$"),
         ("HelixAngle", 0, "helix angle"),
