@@ -24,7 +24,7 @@ from ..engine.checks import NESTED
 from ..engine.errors import CutterDoesNotFitError, GeometryError
 from ..engine.levels import floors
 from ..engine.model import PocketRequest, Section
-from ..engine.shapes.region import polygons_of
+from ..engine.shapes.region import grow, polygons_of
 from .belonging import Belonging
 from .level import SAME_HEIGHT
 from .selection import Floor
@@ -33,6 +33,8 @@ from .walls import Walls
 
 #: The height of a rim on a top that is not level is found as well as this [mm].
 RIM = 0.02
+#: A ledge of which no piece is cleared by more than this share gets no level.
+REACHED = 0.5
 #: Sections that differ by no more than this many sags are one.
 ALIKE = 2.0
 
@@ -68,9 +70,9 @@ def fitted(
     if not shapes.at(wanted.floor).area:
         raise _overhung(floor, walls)
     low, stock = max(floor.z, wanted.floor), wanted.cutting.floor_stock
-    ledges = [z + stock for z in shapes.ledges(low)]
-    tops = [heights.start_depth, *floors(heights, stock, ledges)]
     inset = wanted.cutter_radius + wanted.cutting.stock_to_leave
+    ledges = [z + stock for z in shapes.ledges(low, inset)]
+    tops = [heights.start_depth, *floors(heights, stock, ledges)]
     sections = shapes.sections(tops, {z: z - stock for z in ledges}, ALIKE * sag, inset)
     if any(s.pocket.is_empty for s in sections):  # of a floor as narrow as a hair
         raise _overhung(floor, walls)
@@ -178,15 +180,28 @@ class _Shapes:
             return False
         return free is not None and not (whole and self._walls.lacks_rooms(free))
 
-    def ledges(self, low: float) -> list[float]:
-        """Return the Z of level faces above `low` on which the pocket widens, highest first."""
+    def ledges(self, low: float, inset: float) -> list[float]:
+        """Return the Z of level faces above `low` on which the pocket widens, highest first.
+
+        Not of those that a cutter whose center stays off the walls by `inset` hardly gets to, as in
+        notches narrower than it: a level for each would take time and clear nothing.
+        """
         found: list[float] = []
         for z, place in self._flats:
             is_new = not found or found[-1] - z > SAME_HEIGHT
             is_between = low + SAME_HEIGHT < z < self._rim - SAME_HEIGHT
-            if is_new and is_between and self._widens(z, place):
+            if is_new and is_between and self._widens(z, place) and self._is_reached(z, inset):
                 found.append(z)
         return found
+
+    def _is_reached(self, z: float, inset: float) -> bool:
+        """Return whether a cutter clears most of any ledge at Z `z`."""
+        whole, below = self.at(z), self.at(z - 2 * ABOVE)
+        cleared = grow(grow(whole, -inset), inset)
+        wider = polygons_of(shapely.difference(whole, below))
+        return any(
+            shapely.intersection(piece, cleared).area > REACHED * piece.area for piece in wider
+        )
 
     def sections(
         self, tops: Sequence[float], ledges: Mapping[float, float], alike: float, inset: float

@@ -723,6 +723,10 @@
         <translation>Über Z{0} werden auch {1} mm2 neben dem gewählten Boden geräumt, bis auf Absätze hinab.</translation>
     </message>
     <message>
+        <source>Above the floor the pocket has notches that the {0} mm cutter does not fit, the largest at {at}; these ({1} mm2) stay uncut.</source>
+        <translation>Über dem Boden hat die Tasche Kerben, in die der {0}-mm-Fräser nicht passt, die größte bei {at}; diese ({1} mm2) bleiben stehen.</translation>
+    </message>
+    <message>
         <source>Add it; vmc.json shows how.</source>
         <translation>Ergänzen; vmc.json zeigt, wie.</translation>
     </message>
@@ -829,6 +833,10 @@
     <message>
         <source>Compare it with vmc.json.</source>
         <translation>Mit vmc.json vergleichen.</translation>
+    </message>
+    <message>
+        <source>Cut them by a smaller cutter.</source>
+        <translation>Diese mit einem kleineren Fräser schneiden.</translation>
     </message>
     <message>
         <source>Do not run this path; check the final depth and the floor stock.</source>

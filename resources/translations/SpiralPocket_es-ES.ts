@@ -723,6 +723,10 @@
         <translation>Por encima de Z{0} también se vacían {1} mm2 junto al fondo seleccionado, hasta los escalones.</translation>
     </message>
     <message>
+        <source>Above the floor the pocket has notches that the {0} mm cutter does not fit, the largest at {at}; these ({1} mm2) stay uncut.</source>
+        <translation>Sobre el fondo, la cajera tiene muescas en las que no cabe la fresa de {0} mm, la mayor en {at}; estas ({1} mm2) quedan sin cortar.</translation>
+    </message>
+    <message>
         <source>Add it; vmc.json shows how.</source>
         <translation>Añádalo; vmc.json muestra cómo.</translation>
     </message>
@@ -829,6 +833,10 @@
     <message>
         <source>Compare it with vmc.json.</source>
         <translation>Compárelo con vmc.json.</translation>
+    </message>
+    <message>
+        <source>Cut them by a smaller cutter.</source>
+        <translation>Córtelas con una fresa más pequeña.</translation>
     </message>
     <message>
         <source>Do not run this path; check the final depth and the floor stock.</source>

@@ -723,6 +723,10 @@
         <translation>Au-dessus de Z{0}, {1} mm2 à côté du fond sélectionné sont aussi vidés, jusqu'aux épaulements.</translation>
     </message>
     <message>
+        <source>Above the floor the pocket has notches that the {0} mm cutter does not fit, the largest at {at}; these ({1} mm2) stay uncut.</source>
+        <translation>Au-dessus du fond, la poche a des encoches où la fraise de {0} mm n'entre pas, la plus grande en {at} ; celles-ci ({1} mm2) restent non usinées.</translation>
+    </message>
+    <message>
         <source>Add it; vmc.json shows how.</source>
         <translation>Ajoutez-le ; vmc.json montre comment.</translation>
     </message>
@@ -829,6 +833,10 @@
     <message>
         <source>Compare it with vmc.json.</source>
         <translation>Comparez-le à vmc.json.</translation>
+    </message>
+    <message>
+        <source>Cut them by a smaller cutter.</source>
+        <translation>Usinez-les avec une fraise plus petite.</translation>
     </message>
     <message>
         <source>Do not run this path; check the final depth and the floor stock.</source>

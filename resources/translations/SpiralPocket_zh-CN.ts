@@ -723,6 +723,10 @@
         <translation>在 Z{0} 以上,所选底面旁边还有 {1} mm2 会被清除,直至台阶面。</translation>
     </message>
     <message>
+        <source>Above the floor the pocket has notches that the {0} mm cutter does not fit, the largest at {at}; these ({1} mm2) stay uncut.</source>
+        <translation>底面以上型腔有 {0} mm 刀具进不去的缺口，最大的位于 {at}；这些缺口（{1} mm2）未切除。</translation>
+    </message>
+    <message>
         <source>Add it; vmc.json shows how.</source>
         <translation>请补上；参见 vmc.json。</translation>
     </message>
@@ -829,6 +833,10 @@
     <message>
         <source>Compare it with vmc.json.</source>
         <translation>请与 vmc.json 对照。</translation>
+    </message>
+    <message>
+        <source>Cut them by a smaller cutter.</source>
+        <translation>请用更小的刀具加工。</translation>
     </message>
     <message>
         <source>Do not run this path; check the final depth and the floor stock.</source>

@@ -142,3 +142,35 @@ def test_low_boss_is_cut_with_the_pocket_around_it(doc):
     stock = Stock(Surface.of(shape), (30.5, 20.5, 49.5, 31.5), 0.5)
     stock.cut(centers(op), R + 0.02)
     assert stock.left.max() < 0.01
+
+
+def notched(width, depth=9.0):
+    """Return a plate with a pocket A deep that has a notch 8 deep in its wall, so wide."""
+    shape = box(0, 0, -24, 100, 50, 24).cut(box(10, 10, A, 60, 30, 20))
+    return shape.cut(box(70, 25 - width / 2, -8, depth, width, 20)).removeSplitter()
+
+
+@pytest.mark.parametrize("width", [3.0, 6.0, 7.9])
+def test_a_notch_narrower_than_the_cutter_costs_no_level_and_is_told(doc, width):
+    part = add_part(doc, notched(width))
+    job = add_job(doc, part, diameter=2 * R)
+    (floor,) = faces_at(part.Shape, A)
+    op = api.add_spiral_pocket(job, [(part, [floor])], StepDown=20.0)
+    (plan,) = op.Proxy.plans
+    assert [section.z for section in plan.request.sections] == [A]
+    (told,) = [notice for notice in op.Notices if "stay uncut" in notice]
+    assert "notches that the 8 mm cutter does not fit" in told
+    assert float(told.split("(")[1].split()[0]) == pytest.approx(9 * width, abs=0.5)
+    assert not any("keep steps" in notice for notice in op.Notices)
+    # levels that end there anyway tell of its neck, once
+    op.StepDown = 4.0
+    doc.recompute()
+    assert len([notice for notice in op.Notices if "uncut" in notice]) == 1
+    assert "neck" in next(notice for notice in op.Notices if "uncut" in notice)
+
+
+@pytest.mark.parametrize(("width", "depth"), [(8.5, 9.0), (30.0, 2.0), (6.0, 0.5)])
+def test_a_notch_that_the_cutter_gets_into_is_cut_to_its_own_height(doc, width, depth):
+    op = machined(doc, notched(width, depth), A)
+    (plan,) = op.Proxy.plans
+    assert -8.0 in [round(section.z, 6) for section in plan.request.sections]

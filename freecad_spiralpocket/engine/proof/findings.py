@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import shapely
-from shapely import MultiPolygon
+from shapely import MultiPolygon, Polygon
 
 from ..errors import told_area
 from ..model import Notice, PocketRequest
@@ -20,6 +22,8 @@ GOUGE_SLACK, GOUGE_SHARE = 0.005, 0.5
 #: Engagement above the limit is not told that is so over no more than this share of the cut, and
 #: by no more than so much [rad].
 BRIEFLY, PEAK = 1e-3, np.radians(30.0)
+#: A smaller notch is not told [mm2].
+TOLD_NOTCH = 1.0
 #: Air moves may touch stock over this length [mm].
 TOUCH = 0.1
 
@@ -86,6 +90,24 @@ def tell_steps(step: WallStep) -> list[Notice]:
             f"{step.height:.3g} mm high, the widest at {{at}}.",
             "A smaller StepDown makes them smaller; a finishing operation removes them.",
             step.place,
+        )
+    ]
+
+
+def tell_notches(pieces: Sequence[Polygon], cutter: float) -> list[Notice]:
+    """Tell of notches in the walls that are too narrow for the cutter [mm]."""
+    pieces = [piece for piece in pieces if piece.area > TOLD_NOTCH]
+    if not pieces:
+        return []
+    area = told_area(sum(piece.area for piece in pieces))
+    largest = max(pieces, key=lambda piece: piece.area)
+    at = largest.representative_point()
+    return [
+        Notice(
+            f"Above the floor the pocket has notches that the {cutter:g} mm cutter does not fit, "
+            f"the largest at {{at}}; these ({area} mm2) stay uncut.",
+            "Cut them by a smaller cutter.",
+            (float(at.x), float(at.y)),
         )
     ]
 

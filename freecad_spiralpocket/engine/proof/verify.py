@@ -34,7 +34,7 @@ from .collisions import Hit, hits_along, plunges
 from .coverage import reachable_floor, uncut_floor
 from .gouge import gouge_depth
 from .loads import measure_load
-from .wall_steps import largest_step
+from .wall_steps import largest_step, notches
 
 #: Narrower steps on slanted walls are not told [mm].
 TOLD_STEP = 0.05
@@ -75,7 +75,8 @@ def prove(
     levels = levels_of(request)
     uncut = _uncut(request, levels, pieces)
     gouge, place = _gouge(levels, pieces, r + request.cutting.stock_to_leave)
-    step = largest_step(levels, TOLD_STEP)
+    inset = request.cutter_radius + request.cutting.stock_to_leave
+    step = largest_step(levels, TOLD_STEP, inset)
     too_deep, deepest = _too_deep(toolpath, request.floor)
     rapid, link = _hits(request, toolpath, engagement, pieces, Stock.at_levels(levels))
     fed = toolpath.kinds[engagement.moves] != Kind.RAPID
@@ -106,6 +107,7 @@ def prove(
             *findings.tell_hits("link", link.length, link.place),
             *findings.tell_uncut(uncut, missed, request),
             *findings.tell_steps(step),
+            *findings.tell_notches(notches(levels, inset), request.tool_diameter),
             *findings.tell_engagement(
                 load.largest, load.place, load.over_share, load.is_slowed, request
             ),
