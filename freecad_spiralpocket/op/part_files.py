@@ -178,7 +178,8 @@ def _outline(path: Path) -> dict[str, Any]:
         outline = json.loads(path.read_text(encoding="utf-8"))
     except ValueError as error:
         raise SetupError(f"{path.name} is not JSON: {error}.", "Write it again.") from error
-    if not isinstance(outline, dict) or len(outline.get("outer", ())) < 3:
+    outer = outline.get("outer") if isinstance(outline, dict) else None
+    if not isinstance(outer, list) or len(outer) < 3:
         raise SetupError(
             f"{path.name} has no outline.", 'It needs "outer": [[x, y], ...], three points or more.'
         )
@@ -199,6 +200,8 @@ def _check_rings(name: str, outer: Any, holes: Any) -> None:
     SetupError
     """
     pocket = _area(name, "outer", outer)
+    if not isinstance(holes, list):
+        raise SetupError(*_no_ring(name, "holes"))
     for i, hole in enumerate(holes):
         island = _area(name, f"holes[{i}]", hole)
         if not island.intersection(Polygon(outer)).area:
@@ -214,11 +217,21 @@ def _check_rings(name: str, outer: Any, holes: Any) -> None:
         )
 
 
+def _no_ring(name: str, ring: str) -> tuple[str, str]:
+    return (
+        f"{ring} of {name} is not understood.",
+        '"outer" is a list of points [x, y], numbers of millimeters; "holes" a list of such lists.',
+    )
+
+
 def _area(name: str, ring: str, points: Any) -> Polygon:
     """Return what a ring of an outline encloses."""
-    corners = [(float(x), float(y)) for x, y in points]
+    try:
+        corners = [(float(x), float(y)) for x, y in points]
+    except (TypeError, ValueError):
+        raise SetupError(*_no_ring(name, ring)) from None
     if not all(math.isfinite(value) for corner in corners for value in corner):
-        raise ValueError("a point is not finite")
+        raise SetupError(*_no_ring(name, ring))
     area = Polygon(corners) if len(corners) > 2 else Polygon()
     if not shapely.convex_hull(area).area:
         raise SetupError(

@@ -254,8 +254,11 @@ def outline(*outer, hole=None):
         ("part.step", "nonsense", "cannot be read"),
         ("part.json", "{", "is not JSON"),
         ("part.json", "{}", "has no outline"),
-        ("part.json", '{"outer": [[0, 0], [9, "a"], [9, 9]]}', "has no outline"),
-        ("part.json", '{"outer": [[0, 0], [NaN, 9], [9, 9]]}', "has no outline"),
+        ("part.json", '{"outer": 5}', "has no outline"),
+        ("part.json", '{"outer": [[0, 0], [9, "a"], [9, 9]]}', "outer of part.json is not"),
+        ("part.json", '{"outer": [[0, 0], [NaN, 9], [9, 9]]}', "outer of part.json is not"),
+        ("part.json", '{"outer": [[0, 0], [9, 0], [9, 9]], "holes": 5}', "holes of part.json is"),
+        ("part.json", outline(*SQUARE, hole=[5, 5]), "holes[0] of part.json is not understood"),
         ("part.json", outline([0, 0], [30, 30], [30, 0], [0, 30]), "at X15.0 Y15.0"),
         (
             "part.json",
