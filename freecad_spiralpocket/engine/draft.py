@@ -180,6 +180,7 @@ def draft(request: PocketRequest, opened: list[DraftOpening] | None = None) -> D
     SpiralPocketError
         If no part of the pocket can be cut as asked.
     """
+    check_request(request)  # openings that are known were of other depths
     opened = openings(request) if opened is None else opened
     rules = rules_of(request)
     laps = [lap for opening in opened for lap in _laps(opening, rules)]

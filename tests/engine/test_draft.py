@@ -9,6 +9,7 @@ import shapely
 from shapely import LineString, Point, box
 
 from freecad_spiralpocket.engine.draft import draft, openings, reopened
+from freecad_spiralpocket.engine.errors import RequestError
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Feeds, Heights, PocketRequest
 
 CLIMB, CONVENTIONAL = CutMode.CLIMB, CutMode.CONVENTIONAL
@@ -54,6 +55,14 @@ def test_walls_that_moved_a_little_are_opened_as_before(name, mode):
     assert one.length == pytest.approx(other.length, rel=0.1)
     ends = [np.asarray(d.laps[-1]) for d in (again, anew)]
     assert LineString(ends[0]).hausdorff_distance(LineString(ends[1])) < 0.01
+
+
+@pytest.mark.parametrize("start", [-5.0, -6.0])
+def test_depths_upside_down_are_told_also_where_the_openings_are_known(start):
+    asked = request(POCKETS["square"])
+    asked_wrongly = replace(asked, heights=replace(asked.heights, start_depth=start))
+    with pytest.raises(RequestError, match="upside down"):
+        draft(asked_wrongly, openings(asked))
 
 
 def test_pocket_that_falls_apart_is_not_opened_as_before():
