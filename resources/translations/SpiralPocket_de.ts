@@ -188,8 +188,8 @@
         <translation>Strategien vergleichen</translation>
     </message>
     <message>
-        <source>Pocket {}, {}</source>
-        <translation>Tasche {}, {}</translation>
+        <source>Pocket {} ({}), {}</source>
+        <translation>Tasche {} ({}), {}</translation>
     </message>
     <message>
         <source>No pocket: the first line of the panel says why.</source>
@@ -290,6 +290,10 @@
     <message>
         <source>Engagement, feed, velocity and force along the time</source>
         <translation>Eingriff, Vorschub, Geschwindigkeit und Kraft über der Zeit</translation>
+    </message>
+    <message>
+        <source>Aluminum 6082-T6</source>
+        <translation>Aluminium 6082-T6</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>

@@ -188,8 +188,8 @@
         <translation>Comparar estrategias</translation>
     </message>
     <message>
-        <source>Pocket {}, {}</source>
-        <translation>Cajera {}, {}</translation>
+        <source>Pocket {} ({}), {}</source>
+        <translation>Cajera {} ({}), {}</translation>
     </message>
     <message>
         <source>No pocket: the first line of the panel says why.</source>
@@ -290,6 +290,10 @@
     <message>
         <source>Engagement, feed, velocity and force along the time</source>
         <translation>Contacto, avance, velocidad y fuerza a lo largo del tiempo</translation>
+    </message>
+    <message>
+        <source>Aluminum 6082-T6</source>
+        <translation>aluminio 6082-T6</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>

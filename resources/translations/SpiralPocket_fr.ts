@@ -188,8 +188,8 @@
         <translation>Comparer les stratégies</translation>
     </message>
     <message>
-        <source>Pocket {}, {}</source>
-        <translation>Poche {}, {}</translation>
+        <source>Pocket {} ({}), {}</source>
+        <translation>Poche {} ({}), {}</translation>
     </message>
     <message>
         <source>No pocket: the first line of the panel says why.</source>
@@ -290,6 +290,10 @@
     <message>
         <source>Engagement, feed, velocity and force along the time</source>
         <translation>Engagement, avance, vitesse et force au fil du temps</translation>
+    </message>
+    <message>
+        <source>Aluminum 6082-T6</source>
+        <translation>aluminium 6082-T6</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>

@@ -188,8 +188,8 @@
         <translation>比较策略</translation>
     </message>
     <message>
-        <source>Pocket {}, {}</source>
-        <translation>型腔 {}，{}</translation>
+        <source>Pocket {} ({}), {}</source>
+        <translation>型腔 {}（{}），{}</translation>
     </message>
     <message>
         <source>No pocket: the first line of the panel says why.</source>
@@ -290,6 +290,10 @@
     <message>
         <source>Engagement, feed, velocity and force along the time</source>
         <translation>啮合角、进给、速度和切削力随时间变化</translation>
+    </message>
+    <message>
+        <source>Aluminum 6082-T6</source>
+        <translation>6082-T6 铝合金</translation>
     </message>
     <message>
         <source>Spiral Pocket plots</source>

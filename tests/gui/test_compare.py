@@ -187,6 +187,24 @@ def test_errors_are_told_in_the_panels_words(opened):
     press(CANCEL)
 
 
+def test_pockets_are_named_as_in_the_remarks(doc):
+    solid = Part.makeBox(70, 32, 12, Vector(0, 0, -12))
+    for x in (4, 38):
+        solid = solid.cut(Part.makeBox(28, 20, 20, Vector(x, 6, -DEPTH)))
+    add_job(doc, solid, 6.0)
+    part = doc.getObject("Part")
+    faces = floors(part, -DEPTH)
+    select(*((part, face) for face in faces))
+    press_toolbar_button()
+    settle()
+    page().compare.button.click()
+    choice = page().compare.window.pocket
+    assert choice.isVisible() and choice.count() == 2
+    for number, face in enumerate(faces):
+        assert f"({part.Label}, {face})" in choice.itemText(number)
+    press(CANCEL)
+
+
 def test_comparison_of_nothing_says_so(opened):
     page().preview.box.live.setChecked(False)
     page().compare.button.click()

@@ -146,6 +146,16 @@ def test_result_names_the_machine_as_its_field_does(job, floor, german):
     press(CANCEL)
 
 
+def test_plots_name_the_material(job, floor, german):
+    select(floor)
+    press_toolbar_button()
+    settle()
+    panel().operation_page.plots.button.setChecked(True)
+    plots = panel().operation_page.plots.dock
+    assert any("Aluminium 6082-T6" in axes._left_title.get_text() for axes in plots._figure.axes)
+    press(CANCEL)
+
+
 def test_figures_have_the_users_decimal_mark(job, floor, german):
     before = QtCore.QLocale()
     QtCore.QLocale.setDefault(QtCore.QLocale("de_DE"))

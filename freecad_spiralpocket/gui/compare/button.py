@@ -50,4 +50,4 @@ class Compare:
 
     def _update(self) -> None:
         if self.window is not None:
-            self.window.show([p.request for p in self._outlook.pockets])
+            self.window.show([(p.label, p.request) for p in self._outlook.pockets])

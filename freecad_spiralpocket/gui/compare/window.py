@@ -8,6 +8,7 @@ whose preview then has its path already.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -66,17 +67,21 @@ class Comparison:
         size = QtCore.QSize(60 + columns * (PICTURE.width() + 30), 110 + 350 * rows)
         self.dialog.resize(size.boundedTo(screen_size() - FRAME))
 
-    def show(self, requests: list[PocketRequest]) -> None:
-        """Compare on one of these pockets, at first the largest; begin anew if it is another."""
+    def show(self, pockets: Sequence[tuple[str, PocketRequest]]) -> None:
+        """Compare on one of these pockets, at first the largest; begin anew if it is another.
+
+        Each comes with what its floor is called.
+        """
+        requests = [request for _, request in pockets]
         if requests == self._requests and self._is_begun:
             return
         self._requests, self._is_begun = requests, True
         blocker = QtCore.QSignalBlocker(self.pocket)
         chosen = self.pocket.currentIndex()
         self.pocket.clear()
-        for number, request in enumerate(requests, start=1):
-            text = translate("SpiralPocket", "Pocket {}, {}")
-            self.pocket.addItem(text.format(number, area(request.pocket.area)))
+        for number, (label, request) in enumerate(pockets, start=1):
+            text = translate("SpiralPocket", "Pocket {} ({}), {}")
+            self.pocket.addItem(text.format(number, label, area(request.pocket.area)))
         largest = int(np.argmax([r.pocket.area for r in requests])) if requests else -1
         self.pocket.setCurrentIndex(chosen if 0 <= chosen < len(requests) else largest)
         self.pocket.setVisible(len(requests) > 1)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from PySide.QtCore import QT_TRANSLATE_NOOP
 
 from ...beside.tasks import Drawn
 from ...engine.model import CutMode, Floats
@@ -16,7 +17,7 @@ from ...engine.toolpath import Role
 from ...op.results import start_times
 
 #: The material that forces are told for, until the part has one of its own.
-MATERIAL = "Aluminum 6082-T6"
+MATERIAL = QT_TRANSLATE_NOOP("SpiralPocket", "Aluminum 6082-T6")
 FLUTES = 2  # where the tool does not say
 
 

@@ -125,7 +125,7 @@ class PlotDock:
         ]
         if curves.force is not None:
             force = translate("SpiralPocket", "Mean cutting force in {} [N]")
-            rows.append((force.format(MATERIAL), curves.force))
+            rows.append((force.format(translate("SpiralPocket", MATERIAL)), curves.force))
         all_axes = self._figure.subplots(2, 2, sharex=True).ravel(order="F")
         for unused in all_axes[len(rows) :]:
             unused.set_axis_off()
