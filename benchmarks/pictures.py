@@ -40,7 +40,7 @@ from window import (  # noqa: E402
 from freecad_spiralpocket.gui.preview.scene import DraftItem  # noqa: E402
 
 SIZE = 1280, 1130  # of the window
-PANEL_WIDTH = 370  # of the task panel
+PANEL_WIDTH = 400  # of the task panel
 FOLDER = Path(os.environ["SPIRALPOCKET_OUT"])
 
 
