@@ -390,8 +390,10 @@ def rest(share: float) -> Notice:
         )
     if share > MOST_SHARE:
         return Notice(
-            "Earlier operations have cleared more than 99 % of this pocket; the rest is cut."
+            "Earlier operations have cleared more than 99 % of this pocket; what this cutter "
+            "reaches of the rest is cut."
         )
     return Notice(
-        f"Earlier operations have cleared {int(100 * share)} % of this pocket; the rest is cut."
+        f"Earlier operations have cleared {int(100 * share)} % of this pocket; what this cutter "
+        "reaches of the rest is cut."
     )

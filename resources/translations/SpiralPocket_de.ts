@@ -859,16 +859,16 @@
         <translation>In die Operationen des Auftrags ziehen.</translation>
     </message>
     <message>
-        <source>Earlier operations have cleared more than 99 % of this pocket; the rest is cut.</source>
-        <translation>Frühere Operationen haben mehr als 99 % dieser Tasche geräumt; der Rest wird gefräst.</translation>
+        <source>Earlier operations have cleared more than 99 % of this pocket; what this cutter reaches of the rest is cut.</source>
+        <translation>Frühere Operationen haben mehr als 99 % dieser Tasche geräumt; vom Rest wird gefräst, was dieser Fräser erreicht.</translation>
     </message>
     <message>
         <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
         <translation>Frühere Operationen haben diese Tasche geräumt, soweit dieser Fräser reicht.</translation>
     </message>
     <message>
-        <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
-        <translation>Frühere Operationen haben {0} % dieser Tasche geräumt; der Rest wird gefräst.</translation>
+        <source>Earlier operations have cleared {0} % of this pocket; what this cutter reaches of the rest is cut.</source>
+        <translation>Frühere Operationen haben {0} % dieser Tasche geräumt; vom Rest wird gefräst, was dieser Fräser erreicht.</translation>
     </message>
     <message>
         <source>Finish with a flat end mill where that must be sharp.</source>

@@ -859,16 +859,16 @@
         <translation>Arrástrela a las operaciones del trabajo.</translation>
     </message>
     <message>
-        <source>Earlier operations have cleared more than 99 % of this pocket; the rest is cut.</source>
-        <translation>Operaciones anteriores han vaciado más del 99 % de esta cajera; se corta el resto.</translation>
+        <source>Earlier operations have cleared more than 99 % of this pocket; what this cutter reaches of the rest is cut.</source>
+        <translation>Operaciones anteriores han vaciado más del 99 % de esta cajera; del resto se corta lo que esta fresa alcanza.</translation>
     </message>
     <message>
         <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
         <translation>Operaciones anteriores han vaciado esta cajera hasta donde llega esta fresa.</translation>
     </message>
     <message>
-        <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
-        <translation>Operaciones anteriores han vaciado el {0} % de esta cajera; se corta el resto.</translation>
+        <source>Earlier operations have cleared {0} % of this pocket; what this cutter reaches of the rest is cut.</source>
+        <translation>Operaciones anteriores han vaciado el {0} % de esta cajera; del resto se corta lo que esta fresa alcanza.</translation>
     </message>
     <message>
         <source>Finish with a flat end mill where that must be sharp.</source>

@@ -859,16 +859,16 @@
         <translation>Faites-la glisser dans les opérations de la tâche.</translation>
     </message>
     <message>
-        <source>Earlier operations have cleared more than 99 % of this pocket; the rest is cut.</source>
-        <translation>Les opérations précédentes ont vidé plus de 99 % de cette poche ; le reste est usiné.</translation>
+        <source>Earlier operations have cleared more than 99 % of this pocket; what this cutter reaches of the rest is cut.</source>
+        <translation>Les opérations précédentes ont vidé plus de 99 % de cette poche ; du reste est usiné ce que cette fraise atteint.</translation>
     </message>
     <message>
         <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
         <translation>Les opérations précédentes ont vidé cette poche aussi loin que porte cette fraise.</translation>
     </message>
     <message>
-        <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
-        <translation>Les opérations précédentes ont vidé {0} % de cette poche ; le reste est usiné.</translation>
+        <source>Earlier operations have cleared {0} % of this pocket; what this cutter reaches of the rest is cut.</source>
+        <translation>Les opérations précédentes ont vidé {0} % de cette poche ; du reste est usiné ce que cette fraise atteint.</translation>
     </message>
     <message>
         <source>Finish with a flat end mill where that must be sharp.</source>

@@ -859,16 +859,16 @@
         <translation>请将其拖入作业的工序中。</translation>
     </message>
     <message>
-        <source>Earlier operations have cleared more than 99 % of this pocket; the rest is cut.</source>
-        <translation>先前的操作已清除该型腔的 99 % 以上；其余部分将被加工。</translation>
+        <source>Earlier operations have cleared more than 99 % of this pocket; what this cutter reaches of the rest is cut.</source>
+        <translation>先前的操作已清除该型腔的 99 % 以上；其余部分中刀具可及之处将被加工。</translation>
     </message>
     <message>
         <source>Earlier operations have cleared this pocket as far as this cutter reaches.</source>
         <translation>先前的操作已将该型腔清除到此刀具可及之处。</translation>
     </message>
     <message>
-        <source>Earlier operations have cleared {0} % of this pocket; the rest is cut.</source>
-        <translation>先前的操作已清除该型腔的 {0} %；其余部分将被加工。</translation>
+        <source>Earlier operations have cleared {0} % of this pocket; what this cutter reaches of the rest is cut.</source>
+        <translation>先前的操作已清除该型腔的 {0} %；其余部分中刀具可及之处将被加工。</translation>
     </message>
     <message>
         <source>Finish with a flat end mill where that must be sharp.</source>

@@ -148,6 +148,18 @@ def test_a_pocket_that_was_cleared_wholly_is_told(doc):
     assert len(job.Operations.Group) == before
 
 
+def test_what_is_foreseen_of_a_cleared_pocket_does_not_promise_a_cut(doc):
+    # the panel shows it together with the error that the cutter reaches nothing of the rest
+    job, part, _, small = job_of(doc, block(area(rectangle(40, 40, 0.0))))
+    cut(job, part, small)
+    again = cut(job, part, small)
+    again.UseRestMachining = True
+    (told,) = [str(n) for n in requests_of(again).notices if "of this pocket" in str(n)]
+    assert told.endswith("what this cutter reaches of the rest is cut.")
+    doc.recompute()
+    assert [type(e) for e in again.Proxy.errors] == [AlreadyClearedError]
+
+
 def test_paths_of_other_operations_count(doc):
     """A profile's arcs and lines, written by hand: a groove along the wall."""
     import Path
