@@ -14,7 +14,7 @@ from PySide import QtGui
 
 from ..op import preferences, properties
 from .fields.entries import Entry, Scale, lengths, speeds
-from .fields.field import MINUTE
+from .fields.field import MINUTE, link_feed_tip
 from .qt.names import load_form
 from .resources import RESOURCES
 from .texts.choices import choice_text
@@ -40,6 +40,7 @@ class PreferencePage:
             box.setToolTip(translate("App::Property", row.tooltip))
             for value in row.choices:
                 box.addItem(choice_text(row.name, value), value)
+        self.form.linkFeed.setToolTip(link_feed_tip())
         scales = (
             ("helixAngle", Scale.of(FreeCAD.Units.Quantity("1 deg"))),
             ("tolerance", lengths()),

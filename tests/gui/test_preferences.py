@@ -78,6 +78,7 @@ def test_page_keeps_what_is_entered_and_shows_it_again(page, tmp_path):
 
 def test_every_widget_has_a_tooltip(page):
     assert all(getattr(page.form, widget).toolTip() for widget in WIDGETS.values())
+    assert "mm/min" not in page.form.linkFeed.toolTip()  # the box is in the user's unit
 
 
 def test_operation_is_registered_with_the_workbench():

@@ -204,6 +204,14 @@ class Between(Quantity):
     takes_ends = False
 
 
+def link_feed_tip() -> str:
+    """Return the tooltip of a box for the feed of links, which is not in the property's mm/min."""
+    return translate(
+        "SpiralPocket",
+        "Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate",
+    )
+
+
 class LinkFeed(_Bound):
     """The feed of links in FreeCAD's unit for speeds; the property is a plain number in mm/min.
 
@@ -212,10 +220,7 @@ class LinkFeed(_Bound):
 
     def __init__(self, widget: Any, obj: Any, name: str) -> None:
         super().__init__(widget, obj, name)
-        self.tip = translate(
-            "SpiralPocket",
-            "Feed of moves at depth through cleared ground, 0 for the horizontal rapid rate",
-        )
+        self.tip = link_feed_tip()
         widget.setToolTip(self.tip)
         self._entry = Entry(widget, obj, self.names, speeds())
         self.entries = (self._entry,)
