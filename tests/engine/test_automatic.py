@@ -31,6 +31,7 @@ from shapes import request as make_request
 
 from freecad_spiralpocket.engine import plan
 from freecad_spiralpocket.engine.errors import CutterDoesNotFitError
+from freecad_spiralpocket.engine.laps import automatic as laps
 from freecad_spiralpocket.engine.links.estimates import motion_of
 from freecad_spiralpocket.engine.machine import MIDDLING
 from freecad_spiralpocket.engine.model import CutMode, Cutting, Entry, Heights, Plan, Strategy
@@ -147,6 +148,16 @@ def test_notches_between_pins_are_cut_however_shallow(radius, apart):
     cut = shapely.union_all([start.ring, *(LineString(mouth) for mouth in mouths)])
     wall = shapely.segmentize(region.interiors[0], 0.02)
     assert shapely.distance(shapely.points(wall.coords), cut).max() < 0.03
+
+
+def test_of_two_starts_that_with_many_more_links_must_be_much_faster():
+    best = laps._Best(seconds=100.0, links=20)
+    assert best.is_beaten_by(99, 20) and best.is_beaten_by(93, 30)
+    assert not best.is_beaten_by(95, 30) and not best.is_beaten_by(93, 101)
+    assert best.is_beaten_by(88, 101)
+    # the other way round too, and a few links more are no more than a few
+    assert laps._Best(seconds=100.0, links=101).is_beaten_by(112, 20)
+    assert laps._Best(seconds=100.0, links=0).is_beaten_by(93, 5)
 
 
 def test_a_ring_runs_along_faceted_hollows_of_islands():

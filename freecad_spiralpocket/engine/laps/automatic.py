@@ -63,8 +63,9 @@ LIKELY = 1.3
 #: start that leaves one is taken if it is faster by this.
 CORNER_LEVELS, CORNER_STEPOVER, CHANNEL_TOLL = 8, 0.8, 1.2
 #: Of two starts that with more links is taken only if it is faster by this share: where a stroke
-#: leaves a wall the engagement jumps, and links wear the machine.
-TIE = 0.06
+#: leaves a wall the engagement jumps, and links wear the machine. With more than so many times as
+#: many, a few apart, it must be faster by this twice over.
+TIE, MANY_TIMES, FEW_LINKS = 0.06, 3, 4
 #: A slot without stairs spares at most the time of so many links, and this share of that of all: it
 #: is not grown where stairs save more than that.
 SPARED, SPARED_SHARE = 0.9, 0.3
@@ -253,7 +254,7 @@ class _Best:
 
     def is_beaten_by(self, seconds: float, links: int) -> bool:
         """Return whether a start is better that takes so long, with so many links."""
-        more = (links > self.links) - (links < self.links)
+        more = _more_links(links, self.links) - _more_links(self.links, links)
         return seconds < (1 - TIE) ** more * self.seconds
 
 
@@ -299,6 +300,11 @@ def _least_left(front: Polygon, start: Start, rules: FrontRules, motion: Motion)
     idle += sum(ground.area for ground in start.idle if not front.contains(ground))
     widest = WIDEST * STRETCH * rules.stepover
     return float(max(0.0, start.omega.area - front.area - idle) / widest / motion.cut_feed)
+
+
+def _more_links(links: int, others: int) -> int:
+    """Return whether a start has more links than another: 1, or 2 if by far."""
+    return (links > others) + (links > MANY_TIMES * max(others, FEW_LINKS))
 
 
 def _open_strokes(strokes: Sequence[Stroke]) -> int:

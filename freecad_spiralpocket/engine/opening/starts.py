@@ -14,7 +14,7 @@ How a pocket is opened decides elongated pockets and pockets with islands:
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -29,7 +29,14 @@ from ..growth.spiral import BLEND
 from ..model import Floats, PocketRequest
 from ..shapes.polyline import between, closed_line
 from ..shapes.region import grow
-from ..shapes.shaping import SLIVER, grow_coarsely, largest, oriented, simplified_region
+from ..shapes.shaping import (
+    SLIVER,
+    Region,
+    grow_coarsely,
+    largest,
+    oriented,
+    simplified_region,
+)
 from ..shapes.skeleton import (
     Edges,
     Skeleton,
@@ -213,7 +220,7 @@ def slot_round(
         Radii of its reentrant curves over R: the first is taken that leaves no post.
     """
     for rounding in roundings:
-        visited = _rounded(shape, region, rounding * request.cutter_radius)
+        visited = _rounded(shape, region, rounding * request.cutter_radius, grow_coarsely)
         if not visited.is_empty and leaves_no_post(visited, request):
             return _slot_start("curve", visited, region, request)
     return None
@@ -253,12 +260,16 @@ def _groove(region: Polygon, axis: Skeleton, edges: Edges, request: PocketReques
     return Start("groove", visited, region, groove, ring)
 
 
-def _rounded(shape: Polygon, omega: Polygon, q: float) -> Polygon:
-    """Return `shape` within `omega`, its reentrant curves at least of radius `q` [mm]."""
+def _rounded(
+    shape: Polygon, omega: Polygon, q: float, shrink: Callable[[Region, float], Region]
+) -> Polygon:
+    """Return `shape` within `omega`, its reentrant curves at least of radius `q` [mm].
+
+    These are as fine as `shrink` makes them, which grows a region by a negative distance.
+    """
     bumps = 0.5 * q
-    # coarse chords across hollows, on top of what the curves leave, would be a skin on the wall
-    shape = grow_coarsely(grow(grow_coarsely(shape, q), -q - bumps), bumps)
-    return simplified_region(largest(shapely.intersection(shape, omega)), FLAT)
+    shape = grow_coarsely(shrink(grow_coarsely(shape, q), -q - bumps), bumps)
+    return largest(shapely.intersection(shape, omega))
 
 
 def leaves_no_post(
@@ -300,7 +311,9 @@ def island_ring(region: Polygon, request: PocketRequest) -> Start | None:
         shape = largest(shapely.union_all([*islands, *corridors]))
         # a narrow channel between islands must not be filled: nothing would go through it
         for rounding in RING_ROUNDINGS:
-            visited = Polygon(_rounded(shape, filled, rounding * radius).exterior)
+            # coarse chords across hollows, on top of what curves leave, would be a skin on the wall
+            round_ = _rounded(shape, filled, rounding * radius, grow)
+            visited = simplified_region(Polygon(round_.exterior), FLAT)
             visited = into_notches(visited, shape, region, corridors, rounding * radius, radius)
             if visited.area and leaves_no_post(visited, request, islands):
                 return _slot_start("island ring", oriented(visited), filled, request)
