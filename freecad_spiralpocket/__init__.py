@@ -5,4 +5,4 @@ Importing the package imports nothing else: `engine` is pure numpy, scipy and
 shapely, `op` and `api` need FreeCAD, `gui` needs its user interface.
 """
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
